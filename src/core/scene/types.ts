@@ -1,0 +1,96 @@
+/**
+ * The scene document, version 1: the whole state that a user edits, with every default filled in.
+ * The schema that reads it (and says what is wrong with it, and where) is in `schema.ts`.
+ *
+ * Metres, radians, seconds; see docs/file-formats.md.
+ */
+import type { Proportions } from "../skeleton/skeleton.ts";
+import type { Foot } from "../steps/types.ts";
+import type { Effort, TaskCategory } from "./task-types.ts";
+
+export interface SceneTask {
+  id: string;
+  category: TaskCategory;
+  effort: Effort;
+  /** `write`: the point written at; `lift`, `place`: the box's centre; `sit`: middle of the seat; `turn`: ground point. */
+  position: [number, number, number];
+  /** The way the character faces while doing it (`sit`: when seated; `turn`: afterwards). */
+  yaw: number;
+  /** Seconds that the task is held; null leaves it to the capture. */
+  duration: number | null;
+  hand: "left" | "right";
+}
+
+export interface ScenePath {
+  id: string;
+  points: [number, number][];
+  styles: { at: number; style: string }[];
+  smooth: boolean;
+}
+
+export interface SceneStone {
+  id: string;
+  position: [number, number, number];
+  yaw: number;
+  foot: Foot | null;
+  time: number | null;
+}
+
+export const PROP_KINDS = ["board", "table", "stool", "box", "wall", "pillar"] as const;
+export type PropKind = (typeof PROP_KINDS)[number];
+
+export interface SceneProp {
+  id: string;
+  kind: PropKind;
+  /** Middle of its base on the ground (board: middle of the board; box: its centre). */
+  position: [number, number, number];
+  yaw: number;
+  /** Width (lateral), height, depth (forward), in its own frame. */
+  size: [number, number, number];
+}
+
+export type Terrain =
+  | { kind: "flat" }
+  | { kind: "slope"; angle: number; yaw: number }
+  | { kind: "heightfield"; size: [number, number]; cells: [number, number]; heights: number[] };
+
+export interface CrowdSpec {
+  agents: { position: [number, number]; yaw: number; goals: [number, number][]; speed: number }[];
+  regions: { bounds: [number, number, number, number]; count: number; goals: [number, number][]; speed: number }[];
+}
+
+/** A planned footstep that the user changed. `step`: its index in the plan it was made on. */
+export interface FootstepEdit {
+  step: number;
+  foot: Foot | null;
+  position: [number, number, number] | null;
+  yaw: number | null;
+  lift: number | null;
+  land: number | null;
+  pinned: boolean;
+}
+
+export interface Scene {
+  version: 1;
+  seed: number;
+  character: { height: number; proportions: Proportions; model: string | null };
+  start: { position: [number, number]; yaw: number };
+  tasks: SceneTask[];
+  paths: ScenePath[];
+  stones: SceneStone[];
+  order: string[];
+  props: SceneProp[];
+  terrain: Terrain;
+  crowd: CrowdSpec | null;
+  edits: FootstepEdit[];
+}
+
+/** Default sizes: width, height, depth in metres. */
+export const PROP_SIZES: Record<PropKind, [number, number, number]> = {
+  board: [1.9, 1.15, 0.04],
+  table: [1.2, 0.75, 0.6],
+  stool: [0.36, 0.46, 0.36],
+  box: [0.36, 0.26, 0.28],
+  wall: [2, 2.4, 0.12],
+  pillar: [0.35, 2.4, 0.35],
+};

@@ -1,0 +1,37 @@
+/**
+ * Messages between the page and the planner worker: one typed map, plain records and typed arrays.
+ *
+ * Order of answers to one `plan` request: `planned` (footsteps, at once), then `motion` chunks in playing order,
+ * then `finished`. A newer `plan` request makes the worker drop what it was doing; the older one is answered by
+ * `dropped`. Every answer carries the request's id.
+ */
+import type { BoxTrack, InkStroke, MotionChunk, QualityFigures } from "../core/motion/types.ts";
+import type { Scene } from "../core/scene/types.ts";
+import type { Plan } from "../core/tasks/plan-types.ts";
+
+export type PlannerRequest =
+  | {
+      type: "plan";
+      id: number;
+      scene: Scene;
+      /**
+       * Playing time, seconds, when an earlier answer is being played: steps begun by then are kept as they are.
+       * Null plans from the start.
+       */
+      now: number | null;
+      /** Frame from which motion is wanted first (what is shown); chunks come from there on, then the rest. */
+      fromFrame: number;
+    }
+  | { type: "cancel"; id: number }
+  /** BVH text to be made into templates of the running library: answered by `imported` or `failed`. */
+  | { type: "import"; id: number; name: string; bvh: string; sidecar: string | null };
+
+export type PlannerResponse =
+  | { type: "ready"; templates: number; clips: number; transitions: number[][] }
+  | { type: "progress"; id: number; what: string; done: number; total: number }
+  | { type: "planned"; id: number; plan: Plan; planMs: number; /** Frames of the whole motion. */ frames: number }
+  | { type: "motion"; id: number; chunk: MotionChunk }
+  | { type: "finished"; id: number; boxes: BoxTrack[]; ink: InkStroke[]; quality: QualityFigures; motionMs: number }
+  | { type: "dropped"; id: number }
+  | { type: "imported"; id: number; name: string; clip: MotionChunk; templates: number; report: string }
+  | { type: "failed"; id: number; message: string };
