@@ -50,10 +50,30 @@ export interface OptimisationTrace {
   terms: number[][];
 }
 
+/**
+ * A run of frames of one library clip laid on the plan's time: the motion stage plays it, placed and warped.
+ * Steps' segments reach from the landing of the step before to their own landing; a hold has no step.
+ */
+export interface PlannedSegment {
+  clip: number;
+  /** Source frames: first, and one past the last (the next segment's first frame shows that instant). */
+  from: number;
+  to: number;
+  /** Plan frame (60 Hz) of its first frame, and how many frames it fills; frames != to - from stretches time. */
+  start: number;
+  frames: number;
+  /** Index in `steps`; -1 for a hold. */
+  step: number;
+  /** Index of the scene task it leads to, holds or leaves; -1 before the first. */
+  task: number;
+}
+
 export interface Plan {
   /** The two stances the plan begins with: left, right. */
   start: [Footstep, Footstep];
   steps: PlannedStep[];
+  /** Contiguous in time from frame 0. */
+  segments: PlannedSegment[];
   tasks: PlannedTask[];
   /** Seconds. */
   duration: number;
