@@ -1,0 +1,81 @@
+/**
+ * Hips between the passes: led onto the seat, and lowered softly where a leg would not reach its foot.
+ */
+import { quatRotate } from "../math/quaternion.ts";
+import { J, JOINT_COUNT } from "../skeleton/joints.ts";
+import type { Skeleton } from "../skeleton/skeleton.ts";
+import type { BodyTrack } from "./body-pass.ts";
+import { FOOT_STRIDE } from "./foot-pose.ts";
+import type { SegmentSetup } from "./segment-setup.ts";
+import { mapByTask, type TaskWindow, windowWeight } from "./task-windows.ts";
+
+const Q = JOINT_COUNT * 4;
+/** Least knee flexion kept in a supporting leg, radians: a fully straight knee pops. */
+const LEAST_KNEE = (3 * Math.PI) / 180;
+/** Half window of the soft lowering, frames. */
+const SOFT = 8;
+
+const v = new Float64Array(6);
+
+/** Leads the hips onto seats: from the body's own way to the capture's place at the seat. Mutates `track.root`. */
+export function leadToSeats(track: BodyTrack, setups: readonly SegmentSetup[], windows: readonly TaskWindow[]): void {
+  for (const w of windows) {
+    if (w.task.category !== "sit") continue;
+    const gap = new Float64Array(3);
+    for (let f = Math.max(0, w.from); f < Math.min(track.frames, w.over); f++) {
+      const setup = setups[track.segmentOf[f]];
+      if (setup.segment.clip === w.clip && f <= w.end) {
+        const clip = setup.source.clip;
+        const i = Math.max(0, Math.min(clip.frames - 1, Math.round(track.sourceFrame[f])));
+        mapByTask(v, 0, w, clip.root[3 * i], clip.root[3 * i + 1], clip.root[3 * i + 2]);
+        for (let k = 0; k < 3; k++) gap[k] = v[k] - track.root[3 * f + k];
+      }
+      const weight = windowWeight(w, f);
+      for (let k = 0; k < 3; k++) track.root[3 * f + k] += weight * gap[k];
+    }
+  }
+}
+
+/** How far each frame's hips must come down for both legs to reach, then softened over neighbours. Mutates `track.root`. */
+export function reachWithLegs(track: BodyTrack, skeleton: Skeleton): void {
+  const { offsets } = skeleton;
+  const thigh = Math.abs(offsets[3 * J.leftLowerLeg + 1]);
+  const shank = Math.abs(offsets[3 * J.leftFoot + 1]);
+  const longest = Math.sqrt(thigh * thigh + shank * shank + 2 * thigh * shank * Math.cos(LEAST_KNEE));
+  const n = track.frames;
+  const drop = new Float64Array(n);
+  for (let f = 0; f < n; f++) {
+    let need = 0;
+    for (let side = 0; side < 2; side++) {
+      const hip = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
+      quatRotate(v, 0, track.rotations, Q * f, offsets[3 * hip], offsets[3 * hip + 1], offsets[3 * hip + 2]);
+      const o = (2 * f + side) * FOOT_STRIDE;
+      const dx = track.root[3 * f] + v[0] - track.feet[o];
+      const dy = track.root[3 * f + 1] + v[1] - track.feet[o + 1];
+      const dz = track.root[3 * f + 2] + v[2] - track.feet[o + 2];
+      const across = dx * dx + dz * dz;
+      const height = Math.sqrt(Math.max(0.04, longest * longest - across));
+      need = Math.max(need, dy - height);
+    }
+    drop[f] = need;
+  }
+  // The largest need near by, then a bell within the same window: never less than the need itself.
+  const wide = new Float64Array(n);
+  for (let f = 0; f < n; f++) {
+    let m = 0;
+    for (let k = Math.max(0, f - SOFT); k <= Math.min(n - 1, f + SOFT); k++) if (drop[k] > m) m = drop[k];
+    wide[f] = m;
+  }
+  let total = 0;
+  const bell = Float64Array.from({ length: 2 * SOFT + 1 }, (_, k) => {
+    const x = Math.cos(((k - SOFT) / (SOFT + 1)) * (Math.PI / 2));
+    total += x * x;
+    return x * x;
+  });
+  for (let f = 0; f < n; f++) {
+    let s = 0;
+    for (let k = -SOFT; k <= SOFT; k++) s += bell[k + SOFT] * wide[Math.max(0, Math.min(n - 1, f + k))];
+    track.root[3 * f + 1] -= s / total;
+  }
+}
+

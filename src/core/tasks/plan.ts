@@ -1,0 +1,420 @@
+/**
+ * The task planner [TaskLoco Algorithm 1]: from a scene's tasks to footsteps with their motion segments and times.
+ *
+ * For every pair of consecutive tasks: exit (a template of the task that is left), locomotion (walking steps along the
+ * route), enter (a template of the task that is come to); near tasks skip the locomotion, nearer ones the exit.
+ */
+import { CLIP_RATE } from "../capture/clip.ts";
+import { wrapAngle } from "../math/angle.ts";
+import { bearing, type GroundPose, groundDistance, midPose, toLocal } from "../math/frame2.ts";
+import type { FootstepWorkspace } from "../optimize/optimize-footsteps.ts";
+import type { TaskCategory } from "../scene/task-types.ts";
+import type { Skeleton } from "../skeleton/skeleton.ts";
+import type { Foot, Footstep } from "../steps/types.ts";
+import { type EntryQuery, retrieveEntry, retrieveExit } from "../templates/retrieve.ts";
+import type { Library, Template } from "../templates/types.ts";
+import { type DraftStep, type Feet, footPose, otherFoot } from "./draft.ts";
+import { holdAtTask } from "./hold.ts";
+import type { Kept } from "./keep.ts";
+import { approachSteps, chooseWalk, layWalk, stepsToStance, type WalkWish, type Walks, walksOf } from "./locomotion.ts";
+import { createPhaseWorkspace, optimisePhase, type PhaseGoal } from "./optimise-phase.ts";
+import type { OptimisationTrace, Plan } from "./plan-types.ts";
+import { findRoute, type GroundPoint, type Obstacle } from "./route.ts";
+import { tidyFootsteps } from "./tidy.ts";
+import { appendStep, type Timeline } from "./timeline.ts";
+import { chainFrom, compete, layInTaskFrame, type TaskGoal } from "./transition.ts";
+
+/** How many templates compete [TaskLoco §4.2: k = 5]. */
+const COMPETITORS = 5;
+/** The body's middle keeps this far from what it walks past, metres. */
+const CLEARANCE = 0.4;
+/** Most walking steps in one transition: a guard, 200 m. */
+const MOST_STEPS = 320;
+
+export interface PlanInput {
+  /** Templates retargeted to the skeleton. */
+  library: Library;
+  skeleton: Skeleton;
+  start: GroundPose;
+  /** Tasks still to be done, in order. */
+  tasks: TaskGoal[];
+  obstacles: Obstacle[];
+  /** What has begun of an earlier plan, or null. */
+  kept: Kept | null;
+  /** The task whose place `kept` left, or null for the start. */
+  keptTask: TaskGoal | null;
+  /** Whether to record the optimiser's terms. */
+  trace: boolean;
+}
+
+interface Context {
+  library: Library;
+  skeleton: Skeleton;
+  walks: Walks;
+  workspace: FootstepWorkspace;
+  obstacles: Obstacle[];
+  trace: boolean;
+  timeline: Timeline;
+  feet: Feet;
+  /** Foot that landed last in this walk; null when both have stood. */
+  lastFoot: Foot | null;
+  carrying: boolean;
+  plan: Plan;
+}
+
+/**
+ * Plans footsteps for the tasks in order.
+ *
+ * Never throws on reachable or unreachable goals: what could not be met is a sentence in `warnings`.
+ */
+export function planTasks(input: PlanInput): Plan {
+  const { library, skeleton, kept } = input;
+  const walks = walksOf(library);
+  const feet = kept ? { ...kept.feet } : standingFeet(input.start, skeleton);
+  const timeline: Timeline = kept
+    ? { steps: [...kept.steps], segments: [...kept.segments], cursor: kept.cursor }
+    : { steps: [], segments: [], cursor: 0 };
+  const plan: Plan = {
+    start: kept ? kept.start : [feet.left, feet.right],
+    steps: timeline.steps,
+    segments: timeline.segments,
+    tasks: kept ? [...kept.done] : [],
+    duration: 0,
+    candidates: [],
+    traces: [],
+    warnings: [],
+  };
+  const context: Context = {
+    library,
+    skeleton,
+    walks,
+    workspace: createPhaseWorkspace(),
+    obstacles: input.obstacles,
+    trace: input.trace,
+    timeline,
+    feet,
+    lastFoot: kept?.lastFoot ?? null,
+    carrying: false,
+    plan,
+  };
+  if (timeline.cursor === 0) openStance(context);
+  let current: Place = input.keptTask ? placeOf(input.keptTask) : { category: null, effort: 1, frame: input.start, exitClip: -1, exitTask: -1 };
+  const firstIndex = kept ? kept.done.length : 0;
+  input.tasks.forEach((task, k) => {
+    const index = firstIndex + k;
+    const underWay = k === 0 && kept !== null && timeline.steps.some((s) => s.task === index);
+    current = planTask(context, current, task, input.tasks[k + 1] ?? null, index, underWay);
+  });
+  plan.duration = timeline.cursor / CLIP_RATE;
+  return plan;
+}
+
+/** Where a transition starts from. */
+interface Place {
+  category: TaskCategory | null;
+  effort: 0 | 1;
+  frame: GroundPose;
+  /** Clip and task whose motion is being left, to be gone on with where an exit template of it fits; -1 for none. */
+  exitClip: number;
+  exitTask: number;
+}
+
+function placeOf(task: TaskGoal): Place {
+  return { category: task.category, effort: task.effort, frame: task.frame, exitClip: -1, exitTask: -1 };
+}
+
+function planTask(context: Context, current: Place, task: TaskGoal, followup: TaskGoal | null, index: number, underWay: boolean): Place {
+  const firstSegment = context.timeline.segments.length;
+  if (task.category === "stand") {
+    holdAtTask(context.library, context.timeline, context.plan.tasks, null, task, index, firstSegment, followup === null);
+    context.lastFoot = null;
+    return { ...current, category: current.category === "sit" ? "stand" : current.category, frame: midPose(context.feet.left, context.feet.right) };
+  }
+  const entry = chooseEntry(context, current, task, followup, index);
+  if (!entry) {
+    context.plan.warnings.push(`tasks[${index}] (${task.category}): the library has no template that enters it.`);
+    return placeOf(task);
+  }
+  const radius = context.library.enterRadius[task.category];
+  const nearest = Math.min(groundDistance(context.feet.left, task.frame), groundDistance(context.feet.right, task.frame));
+  if (nearest > radius && !underWay) planExit(context, current, task, entry, index, radius);
+  planLocomotion(context, entry, index);
+  planEntry(context, entry, index);
+  context.carrying = task.category === "lift" ? true : task.category === "place" ? false : context.carrying;
+  holdAtTask(context.library, context.timeline, context.plan.tasks, entry.template, task, index, firstSegment, followup === null);
+  context.lastFoot = entry.template.singleStance ? context.lastFoot : null;
+  return { category: task.category, effort: task.effort, frame: task.frame, exitClip: entry.template.clip, exitTask: entry.template.task };
+}
+
+interface Entry {
+  template: Template;
+  /** Its steps, and the stance before them, laid in the task's frame. */
+  steps: DraftStep[];
+  stance: Feet;
+  before: GroundPose[];
+  /** The foot that stands while its first step swings, and where. */
+  stanceFoot: Foot;
+  aim: Footstep;
+  route: GroundPoint[];
+  task: TaskGoal;
+}
+
+/** Chooses the entry by eqs. 9 and 10, from where the route comes in. */
+function chooseEntry(context: Context, current: Place, task: TaskGoal, followup: TaskGoal | null, index: number): Entry | null {
+  const { library } = context;
+  const here = midPose(context.feet.left, context.feet.right);
+  const from = current.category === null ? here : current.frame;
+  const query = (origin: GroundPoint): EntryQuery => {
+    const local = toLocal(task.frame, { ...origin, yaw: 0 });
+    const next = followup ? toLocal(task.frame, followup.frame) : null;
+    return {
+      category: task.category,
+      currentInNext: [local.x, local.z],
+      nextEffort: task.effort,
+      followupInNext: next ? [next.x, next.z] : null,
+      followupEffort: followup ? followup.effort : null,
+      hand: task.hand,
+    };
+  };
+  let origin: GroundPoint = from;
+  let entry: Entry | null = null;
+  for (let round = 0; round < 2; round++) {
+    const competitors = retrieveEntry(library, query(origin), COMPETITORS);
+    const result = compete(library, competitors, (t) => layInTaskFrame(library, t, task.frame).steps, context.obstacles, () => 0);
+    if (!result.winner) return null;
+    const laid = layInTaskFrame(library, result.winner, task.frame);
+    const first = laid.steps[0];
+    const stanceFoot = first ? otherFoot(first.foot) : "left";
+    const aim = laid.stance[stanceFoot];
+    const route = findRoute(here, aim, context.obstacles, CLEARANCE);
+    if (route.blocked && round === 1) context.plan.warnings.push(`tasks[${index}] (${task.category}): no free way leads there; the straight one is taken.`);
+    entry = { template: result.winner, ...laid, stanceFoot, aim, route: route.points, task };
+    if (round === 1 || route.points.length < 2) {
+      context.plan.candidates.push({ task: index, phase: "enter", list: result.list });
+      break;
+    }
+    // Furniture makes the way come in from its last corner.
+    origin = route.points[route.points.length - 2];
+  }
+  return entry;
+}
+
+/** PlanTaskExitPhase: ends early where a step comes inside the enter radius or walks past the entry's stance. */
+function planExit(context: Context, current: Place, task: TaskGoal, entry: Entry, index: number, radius: number): void {
+  const { library } = context;
+  const toward = entry.route[0];
+  const local = toLocal(current.frame, { ...(entry.route.length > 1 ? toward : task.frame), yaw: 0 });
+  const competitors = retrieveExit(
+    library,
+    { category: current.category, nextInCurrent: [local.x, local.z], currentEffort: current.effort, hand: task.hand },
+    COMPETITORS,
+  );
+  // After a single-stance end the other foot goes first [TaskLoco §4.2, eqs. 6 and 7].
+  const wrongFoot = (t: Template) =>
+    context.lastFoot !== null && library.clips[t.clip].steps[t.first]?.foot === context.lastFoot ? 1 : 0;
+  const result = compete(library, competitors, (t) => chainFrom(library, t, context.feet), context.obstacles, wrongFoot);
+  context.plan.candidates.push({ task: index, phase: "exit", list: result.list });
+  if (!result.winner) return;
+  let steps = chainFrom(library, result.winner, context.feet);
+  if (steps.length === 0) return;
+  const stance = context.feet[otherFoot(steps[0].foot)];
+  const goal: PhaseGoal = {
+    phase: "exit",
+    start: stance,
+    goal: toward,
+    goalYaw: bearing(stance, toward),
+    goals: [],
+  };
+  optimise(context, steps, goal, index);
+  steps = untilNear(context, steps, task.frame, radius, entry.aim);
+  tidyFootsteps(context.skeleton, context.feet, steps, context.obstacles);
+  // The exit's first segment goes on where the task's motion ends.
+  const source = library.clips[result.winner.clip];
+  const end = source.tasks[result.winner.task] ? Math.round(source.tasks[result.winner.task].end * CLIP_RATE) : null;
+  steps.forEach((s, i) => {
+    const from = i === 0 && end !== null && end < source.steps[s.step].start ? end : null;
+    lay(context, s, index, from);
+  });
+}
+
+/** The steps up to the first that lands within the radius of the task, or before the way to the aim grows again. */
+function untilNear(context: Context, steps: DraftStep[], task: GroundPose, radius: number, aim: GroundPoint): DraftStep[] {
+  let nearest = groundDistance(midPose(context.feet.left, context.feet.right), aim);
+  for (let i = 0; i < steps.length; i++) {
+    const d = groundDistance(steps[i], aim);
+    if (groundDistance(steps[i], task) <= radius) return steps.slice(0, i + 1);
+    if (i > 0 && d > nearest + 0.05 && nearest < 1.2 * context.walks.length) return steps.slice(0, i);
+    nearest = Math.min(nearest, d);
+  }
+  return steps;
+}
+
+/** PlanLocomotionPhase: walking steps along the route, then the preparation of the entry. */
+function planLocomotion(context: Context, entry: Entry, index: number): void {
+  const { walks, feet } = context;
+  if (walks.list.length === 0) return;
+  const length = walks.length;
+  let via = 0;
+  let leg = midPose(feet.left, feet.right);
+  let after: WalkWish["after"] = lastSegment(context);
+  const firstStep = context.timeline.steps.length;
+  const fresh: DraftStep[] = [];
+  const beforeLocomotion: Feet = { ...feet };
+  const beforeFoot = context.lastFoot;
+  for (let guard = 0; guard < MOST_STEPS; guard++) {
+    const middle = midPose(feet.left, feet.right);
+    while (via < entry.route.length - 1 && passed(leg, entry.route[via], middle, 0.45 * length)) {
+      leg = middle;
+      via++;
+    }
+    const goal = entry.route[via];
+    let remaining = groundDistance(middle, goal);
+    for (let k = via + 1; k < entry.route.length; k++) remaining += groundDistance(entry.route[k - 1], entry.route[k]);
+    if (via === entry.route.length - 1 && remaining < 2.4 * length) break;
+    const course = bearing(middle, goal);
+    const foot = context.lastFoot ? otherFoot(context.lastFoot) : towards(feet, course);
+    const stance = feet[otherFoot(foot)];
+    const turn = wrapAngle(course - stance.yaw);
+    const wish: WalkWish = {
+      foot,
+      // Turning steps are shorter.
+      forward: length * Math.max(0.45, 1 - 0.4 * Math.abs(turn)),
+      yaw: Math.max(-0.6, Math.min(0.6, turn)),
+      carrying: context.carrying,
+      after,
+    };
+    const walk = chooseWalk(walks, wish);
+    if (!walk) break;
+    const step = layWalk(walk, footPose(stance));
+    optimise(context, [step], { phase: "locomotion", start: leg, goal, goalYaw: bearing(stance, goal), goals: [] }, index);
+    tidyFootsteps(context.skeleton, feet, [step], context.obstacles);
+    fresh.push(step);
+    feet[foot] = { foot, x: step.x, y: 0, z: step.z, yaw: step.yaw };
+    context.lastFoot = foot;
+    after = { clip: step.clip, step: step.step };
+  }
+  prepareEntry(context, entry, index, fresh, beforeLocomotion);
+  context.feet = beforeLocomotion;
+  context.lastFoot = beforeFoot;
+  for (const s of fresh) lay(context, s, index, null);
+  for (const t of context.plan.traces) if (t.first < 0) t.first = firstStep;
+}
+
+/** Enter Task Preparation: further steps where they are needed, and the last three re-optimised [TaskLoco §5.5]. */
+function prepareEntry(context: Context, entry: Entry, index: number, fresh: DraftStep[], before: Feet): void {
+  const { walks } = context;
+  const feet = context.feet;
+  const last = context.lastFoot;
+  const here = last ? feet[last] : midPose(feet.left, feet.right);
+  const extra = stepsToStance(groundDistance(here, entry.aim), last, entry.stanceFoot, walks.length);
+  if (extra > 0) {
+    const first = extra % 2 === 1 ? entry.stanceFoot : otherFoot(entry.stanceFoot);
+    const steps = approachSteps(walks, feet, first, extra, entry.aim, context.carrying);
+    for (const s of steps) feet[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
+    fresh.push(...steps);
+    if (steps.length > 0) context.lastFoot = steps[steps.length - 1].foot;
+  }
+  if (fresh.length === 0) return;
+  const count = Math.min(3, Math.max(extra, Math.min(fresh.length, 3)));
+  const window = fresh.slice(fresh.length - Math.max(count, Math.min(extra, fresh.length)));
+  // The feet as they are before the window.
+  const from: Feet = { ...before };
+  for (const s of fresh.slice(0, fresh.length - window.length)) from[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
+  const goals = window.slice(-3).map((s, k, list) => {
+    if (k === list.length - 1) return { x: entry.aim.x, z: entry.aim.z };
+    const laid = entry.before[entry.before.length - list.length + k];
+    // The capture's own way in, where the walk comes the same way.
+    return laid && groundDistance(laid, s) < 0.4 * walks.length ? { x: laid.x, z: laid.z } : { x: s.x, z: s.z };
+  });
+  const saved = context.feet;
+  context.feet = from;
+  const start = midPose(from.left, from.right);
+  optimise(context, window, { phase: "enterPreparation", start, goal: entry.aim, goalYaw: entry.aim.yaw, goals }, index);
+  tidyFootsteps(context.skeleton, from, window, context.obstacles);
+  context.feet = saved;
+}
+
+/** PlanTaskEntryPhase: the template between the feet that are there and its own places at the task. */
+function planEntry(context: Context, entry: Entry, index: number): void {
+  const laid = entry.steps;
+  const n = laid.length;
+  if (n === 0) return;
+  const chained = chainFrom(context.library, entry.template, context.feet);
+  const steps = laid.map((s, i) => {
+    const f = (i + 1) / n;
+    const c = chained[i];
+    return {
+      ...s,
+      x: c.x + f * (s.x - c.x),
+      z: c.z + f * (s.z - c.z),
+      yaw: wrapAngle(c.yaw + f * wrapAngle(s.yaw - c.yaw)),
+    };
+  });
+  const goals = laid.slice(-3).map((s) => ({ x: s.x, z: s.z }));
+  const stance = context.feet[otherFoot(steps[0].foot)];
+  optimise(context, steps, { phase: "enter", start: stance, goal: entry.task.frame, goalYaw: laid[n - 1].yaw, goals }, index);
+  tidyFootsteps(context.skeleton, context.feet, steps, context.obstacles);
+  for (const s of steps) lay(context, s, index, null);
+}
+
+/** Runs the optimiser on a phase and notes what it did. */
+function optimise(context: Context, steps: DraftStep[], goal: PhaseGoal, index: number): void {
+  const result = optimisePhase(context.workspace, context.skeleton, context.feet, steps, goal, context.trace);
+  if (!result || !context.trace) return;
+  const trace: OptimisationTrace = {
+    task: index,
+    phase: goal.phase,
+    first: context.timeline.steps.length,
+    count: steps.length,
+    before: result.before,
+    terms: result.terms,
+  };
+  context.plan.traces.push(trace);
+}
+
+function lay(context: Context, step: DraftStep, index: number, from: number | null): void {
+  appendStep(context.library, context.timeline, step, index, from);
+  context.feet[step.foot] = { foot: step.foot, x: step.x, y: step.y, z: step.z, yaw: step.yaw };
+  context.lastFoot = step.foot;
+}
+
+function lastSegment(context: Context): WalkWish["after"] {
+  const s = context.timeline.steps[context.timeline.steps.length - 1];
+  return s ? { clip: s.clip, step: s.step } : null;
+}
+
+/** Whether a via-point has been reached: near it, or beyond the line square to the leg through it. */
+function passed(from: GroundPoint, via: GroundPoint, here: GroundPoint, near: number): boolean {
+  if (groundDistance(here, via) < near) return true;
+  const dx = via.x - from.x;
+  const dz = via.z - from.z;
+  return (here.x - via.x) * dx + (here.z - via.z) * dz > 0;
+}
+
+/** The foot on the side of the turn opens it; straight on, the right goes first. */
+function towards(feet: Feet, course: number): Foot {
+  const turn = wrapAngle(course - midPose(feet.left, feet.right).yaw);
+  return turn > 0.2 ? "left" : "right";
+}
+
+/** The stance that a plan begins with: feet beside each other, toes a little out. */
+export function standingFeet(at: GroundPose, skeleton: Skeleton): Feet {
+  const half = 0.095 * (skeleton.legLength / 0.93);
+  const out = 0.12;
+  const c = Math.cos(at.yaw);
+  const s = Math.sin(at.yaw);
+  return {
+    left: { foot: "left", x: at.x + c * half, y: 0, z: at.z - s * half, yaw: wrapAngle(at.yaw + out) },
+    right: { foot: "right", x: at.x - c * half, y: 0, z: at.z + s * half, yaw: wrapAngle(at.yaw - out) },
+  };
+}
+
+/** Half a second of standing before the first lift, from a capture that begins so. */
+function openStance(context: Context): void {
+  const clips = context.library.clips;
+  const c = clips.findIndex((clip) => clip.steps.length > 0 && clip.steps[0].start >= 30);
+  if (c < 0) return;
+  const frames = 12;
+  context.timeline.segments.push({ clip: c, from: 0, to: frames, start: 0, frames, step: -1, task: -1 });
+  context.timeline.cursor = frames;
+}
