@@ -1,0 +1,221 @@
+/**
+ * Pelvis, trunk, head and arms: the turning of the body with the feet, and the rhythm of the walk as short harmonic
+ * series of the gait phase. Amplitudes after textbook gait data and averages of real walks; see docs/studio.md.
+ */
+import { CLIP_RATE } from "../../core/capture/clip.ts";
+import { wrapAngle } from "../../core/math/angle.ts";
+import { gaussian, minimumJerk, readPeriodic, smoothstep, unit, unwrap } from "../../core/math/interpolate.ts";
+import { createRandom } from "../../core/math/random.ts";
+import type { Skeleton } from "../../core/skeleton/skeleton.ts";
+import type { Score } from "../score.ts";
+import type { FootTrack } from "./feet.ts";
+import type { Gait } from "./gait.ts";
+
+const DEG = Math.PI / 180;
+
+/** Angles of the upper body, radians a frame; pitch forward, roll to the right side down, as documented on each. */
+export interface BodyAngles {
+  /** Turning of pelvis, upper chest and head in the world. */
+  pelvisYaw: Float64Array;
+  chestYaw: Float64Array;
+  headYaw: Float64Array;
+  /** Forward lean (nose down) of each in the world. */
+  pelvisPitch: Float64Array;
+  chestPitch: Float64Array;
+  headPitch: Float64Array;
+  /** Tilt towards the left side up. */
+  pelvisRoll: Float64Array;
+  chestRoll: Float64Array;
+  headRoll: Float64Array;
+  /** Each arm, left and right: forward swing, out to the side, turned in, elbow bend. */
+  arms: [ArmAngles, ArmAngles];
+  /** Height of the hip joints' middle over the ground, metres. */
+  hipHeight: Float64Array;
+}
+
+export interface ArmAngles {
+  swing: Float64Array;
+  out: Float64Array;
+  turn: Float64Array;
+  elbow: Float64Array;
+}
+
+/** Hip joint height over a walking half cycle from strike, every 5 % of the cycle, leg lengths. */
+const WALKING_HEIGHT = [0.9515, 0.944, 0.9445, 0.952, 0.9615, 0.971, 0.9765, 0.977, 0.9725, 0.9625];
+/** Standing: a little under full length. */
+const STANDING_HEIGHT = 0.9945;
+
+/** The walk's own motion of the upper body over the feet. */
+export function renderBody(score: Score, feet: readonly [FootTrack, FootTrack], gait: Gait, skeleton: Skeleton, frames: number): BodyAngles {
+  const make = () => new Float64Array(frames);
+  const arm = (): ArmAngles => ({ swing: make(), out: make(), turn: make(), elbow: make() });
+  const b: BodyAngles = {
+    pelvisYaw: make(),
+    chestYaw: make(),
+    headYaw: make(),
+    pelvisPitch: make(),
+    chestPitch: make(),
+    headPitch: make(),
+    pelvisRoll: make(),
+    chestRoll: make(),
+    headRoll: make(),
+    arms: [arm(), arm()],
+    hipHeight: make(),
+  };
+  const leg = skeleton.legLength;
+  // Facing: the mean of the feet, smooth; chest and head lead it.
+  const facing = make();
+  for (let f = 0; f < frames; f++) {
+    const l = feet[0].yaw[f];
+    facing[f] = l + wrapAngle(feet[1].yaw[f] - l) / 2;
+  }
+  unwrap(facing);
+  gaussian(facing, 1, 9);
+  const look = gazeYaw(score, feet, facing, frames);
+  const at = (track: Float64Array, t: number) => {
+    const x = Math.max(0, Math.min(frames - 1.001, t * CLIP_RATE));
+    const i = Math.floor(x);
+    return track[i] + (x - i) * (track[i + 1] - track[i]);
+  };
+  for (let f = 0; f < frames; f++) {
+    const t = f / CLIP_RATE;
+    const w = gait.phase[f];
+    const e = gait.amount[f];
+    b.pelvisYaw[f] = facing[f] + e * -8.5 * DEG * Math.cos(w - 0.43);
+    b.chestYaw[f] = at(facing, t + 0.13) + e * 3.2 * DEG * Math.cos(w - 0.25);
+    b.headYaw[f] = at(look, t) + e * 0.8 * DEG * Math.cos(w);
+    b.pelvisPitch[f] = e * (2 * DEG + 1.6 * DEG * Math.cos(2 * w - 0.3));
+    b.chestPitch[f] = 1 * DEG + e * (1.2 * DEG + 1.1 * DEG * Math.cos(2 * w - 0.2));
+    b.headPitch[f] = 3 * DEG + e * 1 * DEG * Math.cos(2 * w - 1.6);
+    b.pelvisRoll[f] = e * 3.4 * DEG * (Math.sin(w) + 0.35 * Math.sin(3 * w));
+    b.chestRoll[f] = e * -1.8 * DEG * Math.sin(w + 0.5);
+    for (let side = 0; side < 2; side++) {
+      const p = side === 0 ? w : w + Math.PI;
+      const a = b.arms[side];
+      a.swing[f] = 1 * DEG + e * (-19 * DEG * Math.cos(p) + 1.8 * DEG * Math.cos(2 * p)) + (side === 0 ? e * 0.8 * DEG : 0);
+      a.elbow[f] = (1 - e) * 15 * DEG + e * (21 * DEG - 14 * DEG * Math.cos(p - 0.19) + 3.4 * DEG * Math.sin(2 * p - 0.9));
+      a.out[f] = 9 * DEG + e * (2 * DEG - 3 * DEG * Math.cos(p));
+      a.turn[f] = 25 * DEG - e * 10 * DEG * Math.cos(p);
+    }
+    // Two half cycles a cycle: the phase counts from left strikes, half cycles from any.
+    const half = w / Math.PI;
+    const walking = readPeriodic(WALKING_HEIGHT, half);
+    const k = Math.min(1, e * 1.05);
+    b.hipHeight[f] = leg * (STANDING_HEIGHT + k * (walking - STANDING_HEIGHT));
+  }
+  singleSteps(b, feet, gait, skeleton, frames);
+  alive(b, score, gait, frames);
+  return b;
+}
+
+/** Where the head points: the gaze's targets, else the way ahead, about 0.25 s before the body. */
+function gazeYaw(score: Score, feet: readonly [FootTrack, FootTrack], facing: Float64Array, frames: number): Float64Array {
+  const out = new Float64Array(frames);
+  const keys = score.gaze;
+  for (let f = 0; f < frames; f++) {
+    const t = f / CLIP_RATE;
+    const ahead = facing[Math.min(frames - 1, f + Math.round(0.26 * CLIP_RATE))];
+    let k = -1;
+    while (k + 1 < keys.length && keys[k + 1].time <= t) k++;
+    const target = k >= 0 ? keys[k].target : null;
+    out[f] = ahead;
+    if (target) {
+      const x = (feet[0].ankle[3 * f] + feet[1].ankle[3 * f]) / 2;
+      const z = (feet[0].ankle[3 * f + 2] + feet[1].ankle[3 * f + 2]) / 2;
+      const d = Math.hypot(target[0] - x, target[2] - z);
+      if (d > 0.15) {
+        const turn = wrapAngle(Math.atan2(target[0] - x, target[2] - z) - ahead);
+        // Eyes take the rest beyond what the neck does with ease.
+        out[f] = ahead + Math.max(-58 * DEG, Math.min(58 * DEG, turn * 0.9));
+      }
+    }
+  }
+  gaussian(out, 1, 8);
+  return out;
+}
+
+/** Steps outside a rhythm: the swing side drops a little, the trunk leans against it, the arms float out. */
+function singleSteps(b: BodyAngles, feet: readonly [FootTrack, FootTrack], gait: Gait, skeleton: Skeleton, frames: number): void {
+  const lift = new Float64Array(2 * frames);
+  for (let side = 0; side < 2; side++) {
+    const t = feet[side];
+    for (let f = 0; f < frames; f++) {
+      const u = t.swing[f];
+      if (u > 0 && !t.turning[f]) lift[2 * f + side] = (1 - Math.min(1, gait.amount[f] * 1.4)) * Math.sin(Math.PI * u) ** 2;
+    }
+  }
+  gaussian(lift, 2, 3.5);
+  for (let f = 0; f < frames; f++) {
+    const l = lift[2 * f];
+    const r = lift[2 * f + 1];
+    // Positive roll: left side up. The swing side hangs.
+    b.pelvisRoll[f] += 2.4 * DEG * (r - l);
+    b.chestRoll[f] += 2.6 * DEG * (l - r) * -1;
+    b.chestPitch[f] += 1.5 * DEG * (l + r);
+    b.headPitch[f] += 5 * DEG * (l + r);
+    for (let side = 0; side < 2; side++) {
+      b.arms[side].out[f] += 4 * DEG * (l + r);
+      b.arms[side].elbow[f] += 6 * DEG * (l + r);
+      b.arms[side].swing[f] += 4 * DEG * (side === 0 ? r - l : l - r);
+    }
+    b.hipHeight[f] -= 0.008 * skeleton.legLength * (l + r);
+  }
+}
+
+/** Breathing, sway, the ring after each strike, and a little seeded noise: without them a figure looks cast. */
+function alive(b: BodyAngles, score: Score, gait: Gait, frames: number): void {
+  const random = createRandom(score.seed + 17);
+  const wander = (rate: number, sd: number): Float64Array => {
+    // Noise of about `rate` Hz: white, smoothed, brought to its deviation.
+    const x = Float64Array.from({ length: frames }, () => random.normal());
+    gaussian(x, 1, CLIP_RATE / (2 * Math.PI * rate));
+    const s = Math.sqrt(x.reduce((a, v) => a + v * v, 0) / frames) || 1;
+    for (let f = 0; f < frames; f++) x[f] *= sd / s;
+    return x;
+  };
+  const add = (track: Float64Array, noise: Float64Array) => {
+    for (let f = 0; f < frames; f++) track[f] += noise[f];
+  };
+  for (const track of [b.pelvisPitch, b.pelvisRoll, b.chestPitch, b.chestRoll, b.chestYaw]) {
+    add(track, wander(2.6, 0.06 * DEG));
+    add(track, wander(0.25, 0.35 * DEG));
+  }
+  for (const track of [b.headPitch, b.headYaw, b.headRoll]) {
+    add(track, wander(2.6, 0.08 * DEG));
+    add(track, wander(0.2, 0.9 * DEG));
+  }
+  for (const arm of b.arms) {
+    for (const track of [arm.swing, arm.out, arm.elbow]) {
+      add(track, wander(2.4, 0.16 * DEG));
+      add(track, wander(0.2, 0.6 * DEG));
+    }
+  }
+  // Breathing, 0.25 Hz.
+  const start = random.between(0, 2 * Math.PI);
+  for (let f = 0; f < frames; f++) b.chestPitch[f] -= 0.35 * DEG * Math.sin(start + (2 * Math.PI * 0.25 * f) / CLIP_RATE);
+  const strikes = score.steps.filter((s) => s.kind === "walk" || s.kind === "turnStep").map((s) => s.land);
+  for (const time of strikes) {
+    for (let k = 0; k < 24; k++) {
+      const f = Math.ceil(time * CLIP_RATE) + k;
+      if (f >= frames) break;
+      const t = f / CLIP_RATE - time;
+      const e = gait.amount[f];
+      const ring = e * Math.exp(-t / 0.07) * Math.sin(2 * Math.PI * 6.5 * t) * smoothstep(t / 0.02);
+      b.hipHeight[f] -= 0.0032 * ring;
+      b.chestPitch[f] += 0.9 * DEG * ring;
+      if (f + 2 < frames) b.headPitch[f + 2] += 0.5 * DEG * ring;
+      for (const arm of b.arms) {
+        arm.swing[f] -= 1.1 * DEG * ring;
+        if (f + 3 < frames) arm.elbow[f + 3] += 1.8 * DEG * ring;
+      }
+    }
+  }
+}
+
+/** A bump from 0 to 1 to 0 over given times, each flank by minimum jerk. */
+export function pulse(t: number, from: number, up: number, downFrom: number, to: number): number {
+  if (t <= from || t >= to) return 0;
+  if (t < up) return minimumJerk(unit((t - from) / Math.max(1e-6, up - from)));
+  if (t <= downFrom) return 1;
+  return 1 - minimumJerk(unit((t - downFrom) / Math.max(1e-6, to - downFrom)));
+}

@@ -1,0 +1,278 @@
+/**
+ * The feet: heel strike, roll, flat, heel-off, toe-off, swing, pivots, slides. Closed form in the foot's pitch while
+ * the foot is down, so nothing slides; a shaped path between the exact ends while it is in the air.
+ *
+ * Shapes are low-order keys after textbook gait curves [Perry, Gait Analysis; Winter, Biomechanics and Motor Control],
+ * see docs/studio.md for each.
+ */
+import { CLIP_RATE } from "../../core/capture/clip.ts";
+import { wrapAngle } from "../../core/math/angle.ts";
+import { gaussian, minimumJerk, readKeys, readMonotone, smoothstep, unit } from "../../core/math/interpolate.ts";
+import { contactsOfPitch, pivotPlace, plantedAnkle } from "../../core/motion/sole.ts";
+import type { Foot } from "../../core/steps/types.ts";
+import type { FootShape, Skeleton } from "../../core/skeleton/skeleton.ts";
+import type { Score, ScoreStance, ScoreStep } from "../score.ts";
+
+const DEG = Math.PI / 180;
+
+/** One foot over the whole performance, a row a frame. */
+export interface FootTrack {
+  /** Ankle joint, frames x 3. */
+  ankle: Float64Array;
+  yaw: Float64Array;
+  pitch: Float64Array;
+  toeBend: Float64Array;
+  /** 1 heel, 2 toe. */
+  contacts: Uint8Array;
+  /** Where the foot rests, or came from while it swings: x, z, yaw. */
+  rest: Float64Array;
+  /** 0 when down, else the fraction of the swing, just above 0 to 1. */
+  swing: Float64Array;
+  /** Whether the foot pivots or slides. */
+  turning: Uint8Array;
+}
+
+interface Move extends ScoreStep {
+  from: ScoreStance;
+  /** Distance, leg lengths. */
+  reach: number;
+  push: number;
+  strike: number;
+}
+
+/** Foot pitch at lift-off and strike of a full walking step, radians. */
+const PUSH = -64 * DEG;
+const STRIKE = 21 * DEG;
+/** Shares of the lift-off pitch and the strike pitch over the swing, in tenths. */
+const PUSH_OVER_SWING = [1, 1.05, 0.97, 0.81, 0.6, 0.4, 0.21, 0.07, 0.01, 0, 0];
+const STRIKE_OVER_SWING = [0, 0, 0, 0, 0, 0, 0.08, 0.32, 0.72, 0.96, 1];
+/** Share of the way over the swing, in tenths. */
+const WAY = [0, 0.09, 0.18, 0.27, 0.37, 0.49, 0.61, 0.74, 0.86, 0.95, 1];
+/** Ankle height over the straight line between its ends, in tenths, metres at a leg of 0.93 m and a full step. */
+const RISE = [0, 0.0347, 0.0554, 0.0551, 0.0378, 0.0105, -0.0168, -0.0311, -0.0214, -0.0047, 0];
+
+const isWalk = (s: ScoreStep): boolean => s.kind === "walk" || s.kind === "turnStep";
+const isPivot = (s: ScoreStep): boolean => s.kind === "heelPivot" || s.kind === "toePivot";
+
+function movesOf(score: Score, foot: Foot, leg: number): Move[] {
+  let from: ScoreStance = score.start[foot];
+  return score.steps
+    .filter((s) => s.foot === foot)
+    .map((s) => {
+      const reach = Math.hypot(s.x - from.x, s.z - from.z) / leg;
+      const turn = Math.abs(wrapAngle(s.yaw - from.yaw));
+      // A full walking step carries the foot 1.3 leg lengths; shorter and turning ones roll less.
+      const size = unit(reach / 1.2);
+      // Backwards the foot neither pushes off behind nor strikes with the heel.
+      const ahead = Math.cos(wrapAngle(Math.atan2(s.x - from.x, s.z - from.z) - from.yaw - wrapAngle(s.yaw - from.yaw) / 2));
+      const forwardness = reach < 0.05 ? 0 : smoothstep((ahead + 0.2) / 0.9);
+      const move: Move = {
+        ...s,
+        from,
+        reach,
+        push: isWalk(s) ? (0.3 + 0.7 * size) * (0.35 + 0.65 * forwardness) * (1 - 0.25 * unit(turn / 1.2)) : 0.28 + 0.25 * unit(reach / 0.6),
+        strike: isWalk(s) ? (0.1 + 0.9 * size * size) * forwardness * (1 - 0.6 * unit(turn / 1.2)) : 0,
+      };
+      from = { x: s.x, z: s.z, yaw: s.yaw };
+      return move;
+    });
+}
+
+/** Pitch of the foot at lift-off and at landing of a move. */
+const liftPitch = (m: Move): number =>
+  isWalk(m) ? PUSH * m.push : m.kind === "slide" ? 0 : m.kind === "heelPivot" ? 9 * DEG : m.kind === "toePivot" ? -9 * DEG : -40 * DEG * m.push;
+const landPitch = (m: Move): number =>
+  isWalk(m) ? STRIKE * m.strike + (m.strike < 0.12 ? -5 * DEG * (1 - m.strike / 0.12) : 0) : m.kind === "slide" ? 0 : isPivot(m) ? liftPitch(m) : -7 * DEG;
+
+/** Renders one foot. */
+export function renderFoot(score: Score, foot: Foot, skeleton: Skeleton, frames: number): FootTrack {
+  const shape = skeleton.foot;
+  const leg = skeleton.legLength;
+  const track: FootTrack = {
+    ankle: new Float64Array(3 * frames),
+    yaw: new Float64Array(frames),
+    pitch: new Float64Array(frames),
+    toeBend: new Float64Array(frames),
+    contacts: new Uint8Array(frames),
+    rest: new Float64Array(3 * frames),
+    swing: new Float64Array(frames),
+    turning: new Uint8Array(frames),
+  };
+  const moves = movesOf(score, foot, leg);
+  stancePitch(track.pitch, moves, frames);
+  const out = new Float64Array(3);
+  let k = 0;
+  for (let f = 0; f < frames; f++) {
+    const t = f / CLIP_RATE;
+    while (k < moves.length && t >= moves[k].land - 1e-9) k++;
+    const m = moves[k];
+    const rest: ScoreStance = k === 0 ? score.start[foot] : moves[k - 1];
+    track.rest.set([rest.x, rest.z, rest.yaw], 3 * f);
+    const moving = m !== undefined && t >= m.lift - 1e-9;
+    if (!moving) {
+      down(track, f, shape, rest, track.pitch[f], out);
+      track.contacts[f] = contactsOfPitch(track.pitch[f]);
+      continue;
+    }
+    const u = (t - m.lift) / (m.land - m.lift);
+    track.swing[f] = Math.max(1e-6, u);
+    if (isPivot(m)) {
+      const end = m.kind === "heelPivot" ? "heel" : "ball";
+      const on = pivotPlace(shape, m.from, m.from.yaw + wrapAngle(m.yaw - m.from.yaw) * minimumJerk(u), end);
+      down(track, f, shape, on, track.pitch[f], out);
+      track.contacts[f] = end === "heel" ? 1 : 2;
+      track.turning[f] = 1;
+    } else if (m.kind === "slide") {
+      const s = minimumJerk(u);
+      const on = { x: m.from.x + s * (m.x - m.from.x), z: m.from.z + s * (m.z - m.from.z), yaw: m.from.yaw + s * wrapAngle(m.yaw - m.from.yaw) };
+      down(track, f, shape, on, 0, out);
+      track.turning[f] = 1;
+    }
+  }
+  for (const m of moves) if (!isPivot(m) && m.kind !== "slide") swing(track, m, skeleton, moves);
+  return track;
+}
+
+function down(track: FootTrack, f: number, shape: FootShape, on: ScoreStance, pitch: number, out: Float64Array): void {
+  plantedAnkle(out, shape, pitch);
+  track.ankle[3 * f] = on.x + Math.sin(on.yaw) * out[0];
+  track.ankle[3 * f + 1] = out[1];
+  track.ankle[3 * f + 2] = on.z + Math.cos(on.yaw) * out[0];
+  track.yaw[f] = on.yaw;
+  track.pitch[f] = pitch;
+  track.toeBend[f] = out[2];
+}
+
+/** Pitch over all frames: stance from strike to lift-off, pivots, and the swing's shape between. */
+function stancePitch(pitch: Float64Array, moves: readonly Move[], frames: number): void {
+  let landed = Number.NEGATIVE_INFINITY;
+  let before: Move | null = null;
+  for (let k = 0; k <= moves.length; k++) {
+    const m = moves[k] ?? null;
+    const lift = m ? m.lift : Number.POSITIVE_INFINITY;
+    const last = m ? Math.min(frames - 1, Math.ceil(lift * CLIP_RATE) - 1) : frames - 1;
+    const room = lift - landed;
+    const flatAfter = before ? Math.min(isPivot(before) ? 0.13 : isWalk(before) ? 0.068 : 0.08, 0.35 * room) : 0;
+    const cycle = m && !isPivot(m) ? (m.land - m.lift) / 0.36 : 1;
+    const rise = m ? Math.min(isPivot(m) ? 0.14 : isWalk(m) ? 0.24 * cycle : 0.24, 0.6 * room) : 0;
+    for (let f = Math.max(0, Math.ceil(landed * CLIP_RATE - 1e-6)); f <= last; f++) {
+      const t = f / CLIP_RATE;
+      let p = 0;
+      if (before && t < landed + flatAfter) {
+        const u = (t - landed) / flatAfter;
+        p += landPitch(before) * (isPivot(before) ? 1 - smoothstep(u) : (1 - u) * (1 - u) * (1 + 0.8 * u));
+      }
+      if (m && t > lift - rise) {
+        const u = (t - (lift - rise)) / rise;
+        p += liftPitch(m) * (isPivot(m) ? smoothstep(u) : u ** 2.2);
+      }
+      pitch[f] = p;
+    }
+    if (!m) break;
+    for (let f = Math.max(0, Math.ceil(lift * CLIP_RATE - 1e-6)); f < Math.min(frames, m.land * CLIP_RATE - 1e-6); f++) {
+      const u = (f / CLIP_RATE - lift) / (m.land - lift);
+      pitch[f] = isPivot(m) ? liftPitch(m) : liftPitch(m) * readKeys(PUSH_OVER_SWING, u) + landPitch(m) * readKeys(STRIKE_OVER_SWING, u);
+    }
+    landed = m.land;
+    before = m;
+  }
+  // One frame of smoothing: whatever the pitch is, the point that bears stays put.
+  gaussian(pitch, 1, 0.8);
+}
+
+/** The airborne path between the exact ends, with clearance; fills ankle, yaw and toe bend. */
+function swing(track: FootTrack, m: Move, skeleton: Skeleton, _moves: readonly Move[]): void {
+  const shape = skeleton.foot;
+  const leg = skeleton.legLength;
+  const scale = leg / 0.93;
+  const first = Math.ceil(m.lift * CLIP_RATE - 1e-6);
+  const last = Math.min(track.yaw.length - 1, Math.ceil(m.land * CLIP_RATE - 1e-6) - 1);
+  const frames = track.yaw.length;
+  if (last < first) return;
+  const d = m.land - m.lift;
+  const out = new Float64Array(3);
+  // Ends and end speeds from the closed forms, by small differences of the pitch.
+  const end = (on: ScoreStance, pitch: number) => {
+    plantedAnkle(out, shape, pitch);
+    return [on.x + Math.sin(on.yaw) * out[0], out[1], on.z + Math.cos(on.yaw) * out[0]];
+  };
+  const pitch0 = track.pitch[Math.max(0, first - 1)] + (track.pitch[first] - track.pitch[Math.max(0, first - 1)]) * (m.lift * CLIP_RATE - (first - 1));
+  const speed0 = (track.pitch[Math.max(0, first - 1)] - track.pitch[Math.max(0, first - 2)]) * CLIP_RATE;
+  const after = Math.min(frames - 1, last + 1);
+  const pitch1 = track.pitch[after];
+  const p0 = end(m.from, pitch0);
+  const p0b = end(m.from, pitch0 - speed0 * 0.002);
+  const p1 = end(m, pitch1);
+  const v0 = p0.map((v, i) => (v - p0b[i]) / 0.002);
+  const walk = isWalk(m);
+  const forward = [Math.sin(m.yaw), 0, Math.cos(m.yaw)];
+  const v1 = walk ? [0.25 * forward[0] * m.strike, -0.2 * scale, 0.25 * forward[2] * m.strike] : [0, -0.12 * scale, 0];
+  const size = walk ? 0.35 + 0.65 * unit(m.reach / 1.13) : 0;
+  const hump = walk ? 0.02 * (1 - size) : m.kind === "close" || m.kind === "side" ? 0.05 : 0.045;
+  const turn = wrapAngle(m.yaw - m.from.yaw);
+  const rawSpeed = (at: 0 | 1) => {
+    const h = 1e-3;
+    const a = at === 0 ? 0 : 1 - h;
+    const share = (u: number) => (walk ? readKeys(WAY, u) : minimumJerk(u));
+    const rise = (u: number) => (walk ? readKeys(RISE, u) * size * scale : 0) + hump * scale * humpShape(u);
+    const ds = (share(a + h) - share(a)) / h / d;
+    const dr = (rise(a + h) - rise(a)) / h / d;
+    return [ds * (p1[0] - p0[0]), ds * (p1[1] - p0[1]) + dr, ds * (p1[2] - p0[2])];
+  };
+  const r0 = rawSpeed(0);
+  const r1 = rawSpeed(1);
+  const n = last - first + 1;
+  const path = new Float64Array(3 * n);
+  let lack = 0;
+  for (let i = 0; i < n; i++) {
+    const f = first + i;
+    const u = unit((f / CLIP_RATE - m.lift) / d);
+    const s = walk ? readKeys(WAY, u) : minimumJerk(u);
+    const rise = (walk ? readKeys(RISE, u) * size * scale : 0) + hump * scale * humpShape(u);
+    const k0 = d * u * (1 - u) ** 6;
+    const k1 = d * (1 - u) * u ** 4;
+    for (let c = 0; c < 3; c++) {
+      path[3 * i + c] = p0[c] + s * (p1[c] - p0[c]) + (c === 1 ? rise : 0) + (v0[c] - r0[c]) * k0 - (v1[c] - r1[c]) * k1;
+    }
+    track.yaw[f] = m.from.yaw + turn * (walk ? smoothstep((u - 0.05) / 0.9) : minimumJerk(u));
+    // Clearance of heel, ball and tip.
+    const low = path[3 * i + 1] + lowest(shape, track.pitch[f]);
+    const wanted = 0.012 * scale * readMonotone([0, 0.15, 0.85, 1], [0, 1, 1, 0], u);
+    const bump = Math.sin(Math.PI * u) ** 2;
+    if (u > 0.12 && u < 0.92) lack = Math.max(lack, (wanted - low) / bump);
+  }
+  for (let i = 0; i < n; i++) {
+    const f = first + i;
+    const u = unit((f / CLIP_RATE - m.lift) / d);
+    path[3 * i + 1] += lack * Math.sin(Math.PI * u) ** 2;
+    const floor = -lowest(shape, track.pitch[f]) + 0.0005;
+    if (u > 0.06) path[3 * i + 1] = Math.max(path[3 * i + 1], floor);
+    track.ankle.set([path[3 * i], path[3 * i + 1], path[3 * i + 2]], 3 * f);
+    plantedAnkle(out, shape, pitch0);
+    const bend = out[2] * Math.exp(-(u * d) / 0.05) + 4 * DEG * smoothstep((u - 0.6) / 0.4) * (walk ? m.strike : 0);
+    track.toeBend[f] = boundedBend(shape, path[3 * i + 1], track.pitch[f], bend);
+    track.contacts[f] = 0;
+  }
+}
+
+const humpShape = (u: number): number => (u <= 0 || u >= 1 ? 0 : (u ** 1.5 * (1 - u) ** 2) / 0.1847);
+
+/** Height of the lowest of heel point and ball sole against the ankle joint, at a pitch. */
+function lowest(shape: FootShape, pitch: number): number {
+  const s = Math.sin(pitch);
+  const c = Math.cos(pitch);
+  const heel = -shape.heelBack * s - shape.ankleHeight * c;
+  const ball = shape.ballForward * s - (shape.ankleHeight - shape.ballHeight) * c - shape.ballHeight;
+  return Math.min(heel, ball);
+}
+
+/** A toe bend that keeps the tip 3 mm up. */
+function boundedBend(shape: FootShape, ankle: number, pitch: number, bend: number): number {
+  const s = Math.sin(pitch);
+  const c = Math.cos(pitch);
+  const ball = ankle + shape.ballForward * s - (shape.ankleHeight - shape.ballHeight) * c;
+  const tip = (b: number) => ball + shape.tipForward * Math.sin(pitch + b) - shape.ballHeight * Math.cos(pitch + b);
+  let b = bend;
+  for (let k = 0; k < 12 && tip(b) < 0.003; k++) b += 5 * DEG;
+  return Math.min(b, 65 * DEG);
+}
