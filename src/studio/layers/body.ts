@@ -65,11 +65,11 @@ export function renderBody(score: Score, feet: readonly [FootTrack, FootTrack], 
   const leg = skeleton.legLength;
   // Facing: the mean of the feet, smooth; chest and head lead it.
   const facing = make();
-  for (let f = 0; f < frames; f++) {
-    const l = feet[0].yaw[f];
-    facing[f] = l + wrapAngle(feet[1].yaw[f] - l) / 2;
-  }
-  unwrap(facing);
+  // Each foot's own turning is continuous; their mean then never jumps, however far apart they point.
+  const turned = feet.map((t) => Float64Array.from(t.yaw));
+  for (const yaw of turned) unwrap(yaw);
+  const apart = 2 * Math.PI * Math.round((turned[1][0] - turned[0][0]) / (2 * Math.PI));
+  for (let f = 0; f < frames; f++) facing[f] = (turned[0][f] + turned[1][f] - apart) / 2;
   gaussian(facing, 1, 9);
   const look = gazeYaw(score, feet, facing, frames);
   const at = (track: Float64Array, t: number) => {
