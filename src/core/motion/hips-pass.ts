@@ -1,6 +1,7 @@
 /**
  * Hips between the passes: led onto the seat, and lowered softly where a leg would not reach its foot.
  */
+import { softEnvelope } from "../math/interpolate.ts";
 import { quatRotate } from "../math/quaternion.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
@@ -59,23 +60,6 @@ export function reachWithLegs(track: BodyTrack, skeleton: Skeleton): void {
     }
     drop[f] = need;
   }
-  // The largest need near by, then a bell within the same window: never less than the need itself.
-  const wide = new Float64Array(n);
-  for (let f = 0; f < n; f++) {
-    let m = 0;
-    for (let k = Math.max(0, f - SOFT); k <= Math.min(n - 1, f + SOFT); k++) if (drop[k] > m) m = drop[k];
-    wide[f] = m;
-  }
-  let total = 0;
-  const bell = Float64Array.from({ length: 2 * SOFT + 1 }, (_, k) => {
-    const x = Math.cos(((k - SOFT) / (SOFT + 1)) * (Math.PI / 2));
-    total += x * x;
-    return x * x;
-  });
-  for (let f = 0; f < n; f++) {
-    let s = 0;
-    for (let k = -SOFT; k <= SOFT; k++) s += bell[k + SOFT] * wide[Math.max(0, Math.min(n - 1, f + k))];
-    track.root[3 * f + 1] -= s / total;
-  }
+  const lower = softEnvelope(drop, SOFT);
+  for (let f = 0; f < n; f++) track.root[3 * f + 1] -= lower[f];
 }
-

@@ -2,6 +2,7 @@
  * Second pass of the synthesis: the legs closed onto the feet, the hands led to their tasks, the trunk helping where an
  * arm is too short [TaskLoco §6, Figure 12].
  */
+import { solveLeg } from "../ik/leg.ts";
 import { solveTwoBone } from "../ik/two-bone.ts";
 import { quatFromAxisAngle, quatInverseMultiply, quatMultiply, quatNormalize, quatRotate } from "../math/quaternion.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
@@ -50,11 +51,25 @@ export function closeLegs(w: LimbWorkspace, track: BodyTrack, frame: number, ske
     const upper = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
     const foot = upper + 2;
     const o = (2 * frame + side) * FOOT_STRIDE;
-    // A straight knee points the way between the foot's and the hips' forward.
+    // The knee points as the pose's does; straight, the way between the foot's and the hips' forward.
     quatRotate(w.hints, 0, track.feet, o + 3, 0, 0, 1);
     quatRotate(w.hints, 3, w.world, 0, 0, 0, 1);
-    for (let k = 0; k < 3; k++) w.hints[k] += w.hints[3 + k];
-    solveTwoBone(w.pose, 0, w.positions, w.world, J.hips, upper, upper + 1, foot, skeleton.offsets, track.feet[o], track.feet[o + 1], track.feet[o + 2], w.hints, 0);
+    quatRotate(w.hints, 6, w.world, 4 * upper, 0, 0, 1);
+    for (let k = 0; k < 3; k++) w.hints[k] = 0.25 * (w.hints[k] + w.hints[3 + k]) + w.hints[6 + k];
+    solveLeg(
+      w.pose,
+      w.positions,
+      w.world,
+      J.hips,
+      upper,
+      skeleton.offsets,
+      track.feet[o],
+      track.feet[o + 1],
+      track.feet[o + 2],
+      w.hints[0],
+      w.hints[1],
+      w.hints[2],
+    );
     for (let k = 0; k < 4; k++) w.world[4 * foot + k] = track.feet[o + 3 + k];
     quatInverseMultiply(w.pose, 4 * foot, w.world, 4 * (upper + 1), w.world, 4 * foot);
     quatNormalize(w.pose, 4 * foot);

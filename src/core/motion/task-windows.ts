@@ -6,6 +6,7 @@
  */
 import { CLIP_RATE } from "../capture/clip.ts";
 import type { GroundPose } from "../math/frame2.ts";
+import { minimumJerk } from "../math/interpolate.ts";
 import type { Plan } from "../tasks/plan-types.ts";
 import type { TaskGoal } from "../tasks/transition.ts";
 import type { Library } from "../templates/types.ts";
@@ -55,13 +56,6 @@ export function taskWindows(library: Library, plan: Plan, goals: ReadonlyMap<str
     });
   });
   return out;
-}
-
-/** Minimum jerk from 0 to 1 [Flash and Hogan 1985]. */
-export function minimumJerk(u: number): number {
-  if (u <= 0) return 0;
-  if (u >= 1) return 1;
-  return u * u * u * (10 + u * (6 * u - 15));
 }
 
 /** How firmly a window holds at a frame: 0 outside, 1 from contact to end. */

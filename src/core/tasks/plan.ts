@@ -340,11 +340,16 @@ function planEntry(context: Context, entry: Entry, index: number): void {
   const n = laid.length;
   if (n === 0) return;
   const chained = chainFrom(context.library, entry.template, context.feet);
+  // How far the feet are turned against the template's own stance is shared over its steps, so that it ends facing as it
+  // did: Table 2 gives the enter phase no orientation term that would see to it.
+  const before = otherFoot(laid[0].foot);
+  const turned = wrapAngle(entry.stance[before].yaw - context.feet[before].yaw);
   const steps = laid.map((s, i) => {
     const f = (i + 1) / n;
     const c = chained[i];
     return {
       ...s,
+      desired: [s.desired[0], s.desired[1], wrapAngle(s.desired[2] + turned / n)] as DraftStep["desired"],
       x: c.x + f * (s.x - c.x),
       z: c.z + f * (s.z - c.z),
       yaw: wrapAngle(c.yaw + f * wrapAngle(s.yaw - c.yaw)),

@@ -1,0 +1,284 @@
+/**
+ * The hands at their tasks: pen on the board, both hands at the box, the box carried between.
+ *
+ * Where a capture's hand was in its own task's frame, laid on the scene's task, is where the hand must be; between tasks the
+ * box rides where the body's own hands are.
+ */
+import { wrapAngle } from "../math/angle.ts";
+import { minimumJerk } from "../math/interpolate.ts";
+import { quatFromAxisAngle, quatRotate } from "../math/quaternion.ts";
+import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
+import { J, JOINT_COUNT } from "../skeleton/joints.ts";
+import type { Skeleton } from "../skeleton/skeleton.ts";
+import type { BodyTrack } from "./body-pass.ts";
+import type { HandTargets, LimbWorkspace } from "./limb-pass.ts";
+import type { SegmentSetup } from "./segment-setup.ts";
+import { mapByTask, type TaskWindow, windowWeight } from "./task-windows.ts";
+import type { BoxTrack, InkStroke } from "./types.ts";
+
+/** A box from its grasp to where it is put down. */
+export interface Carry {
+  lift: TaskWindow;
+  place: TaskWindow | null;
+  first: number;
+  last: number;
+  track: BoxTrack;
+}
+
+export interface HandState {
+  windows: TaskWindow[];
+  carries: Carry[];
+  ink: { times: number[]; points: number[]; task: string }[];
+  /** Last gap between the task's and the body's hands, per window: hands' middle or pen. */
+  gaps: Float64Array;
+  /** Where the pen of each window was against its task at contact. */
+  penStart: Float64Array;
+}
+
+/** Half a box's width and the palm's way to it, metres. */
+const BOX_HALF = 0.18;
+const PALM_GAP = 0.01;
+
+export function createHandState(windows: TaskWindow[], frames: number): HandState {
+  const carries: Carry[] = [];
+  let open: TaskWindow | null = null;
+  const close = (lift: TaskWindow, place: TaskWindow | null) => {
+    const first = lift.contact;
+    const last = Math.min(frames - 1, place ? place.contact : frames - 1);
+    if (last < first) return;
+    carries.push({
+      lift,
+      place,
+      first,
+      last,
+      track: { lift: lift.task.id, place: place?.task.id ?? null, first, frames: last - first + 1, transforms: new Float32Array(7 * (last - first + 1)) },
+    });
+  };
+  for (const w of windows) {
+    if (w.task.category === "lift") {
+      if (open) close(open, null);
+      open = w;
+    } else if (w.task.category === "place" && open) {
+      close(open, w);
+      open = null;
+    }
+  }
+  if (open) close(open, null);
+  return { windows, carries, ink: [], gaps: new Float64Array(3 * Math.max(1, windows.length)), penStart: new Float64Array(3 * Math.max(1, windows.length)) };
+}
+
+const v = new Float64Array(12);
+const root = new Float64Array(3);
+const pose = new Float64Array(4 * JOINT_COUNT);
+const p = new Float64Array(3 * JOINT_COUNT);
+const wr = new Float64Array(4 * JOINT_COUNT);
+const q = new Float64Array(4);
+
+/** Palm or pen point of a hand: beyond the joint along the hand. */
+function tip(out: Float64Array, o: number, positions: Float64Array, world: Float64Array, side: number, skeleton: Skeleton): void {
+  const hand = side === 0 ? J.leftHand : J.rightHand;
+  quatRotate(out, o, world, 4 * hand, side === 0 ? skeleton.palm : -skeleton.palm, 0, 0);
+  for (let k = 0; k < 3; k++) out[o + k] += positions[3 * hand + k];
+}
+
+/** The capture's hand tips laid on the plan's task: left at out[0..2], right at out[3..5]. False where the capture is another. */
+function tipsByTask(out: Float64Array, w: TaskWindow, setup: SegmentSetup, source: number): boolean {
+  if (setup.segment.clip !== w.clip) return false;
+  const { clip } = setup.source;
+  const i = Math.max(0, Math.min(clip.frames - 1, Math.round(source)));
+  for (let k = 0; k < 3; k++) root[k] = clip.root[3 * i + k];
+  for (let k = 0; k < pose.length; k++) pose[k] = clip.rotations[pose.length * i + k];
+  forwardKinematics(p, wr, clip.skeleton, root, 0, pose, 0);
+  for (let side = 0; side < 2; side++) {
+    tip(out, 3 * side, p, wr, side, clip.skeleton);
+    mapByTask(out, 3 * side, w, out[3 * side], out[3 * side + 1], out[3 * side + 2]);
+  }
+  return true;
+}
+
+/**
+ * Targets of both hand joints at a frame; weights 0 where they are free. Also notes the box's place and the ink.
+ *
+ * @param limbs the frame with its legs closed: the hands as the body has them.
+ */
+export function handTargets(
+  targets: HandTargets,
+  state: HandState,
+  limbs: LimbWorkspace,
+  track: BodyTrack,
+  setups: readonly SegmentSetup[],
+  frame: number,
+  skeleton: Skeleton,
+): void {
+  targets.weight[0] = 0;
+  targets.weight[1] = 0;
+  const setup = setups[track.segmentOf[frame]];
+  const source = track.sourceFrame[frame];
+  for (let i = 0; i < state.windows.length; i++) {
+    const w = state.windows[i];
+    if (w.task.category !== "write") continue;
+    const weight = windowWeight(w, frame);
+    if (weight <= 0) continue;
+    writeTarget(targets, state, i, limbs, setup, source, frame, weight, skeleton);
+  }
+  boxTargets(targets, state, limbs, setup, source, frame, skeleton);
+}
+
+/** The hand joint that puts the tip at (x, y, z), the hand pointing as it does. */
+function joint(targets: HandTargets, side: number, limbs: LimbWorkspace, x: number, y: number, z: number, weight: number, skeleton: Skeleton): void {
+  const hand = side === 0 ? J.leftHand : J.rightHand;
+  quatRotate(v, 9, limbs.world, 4 * hand, side === 0 ? skeleton.palm : -skeleton.palm, 0, 0);
+  targets.weight[side] = Math.max(targets.weight[side], weight);
+  targets.place[3 * side] = x - v[9];
+  targets.place[3 * side + 1] = y - v[10];
+  targets.place[3 * side + 2] = z - v[11];
+}
+
+function writeTarget(
+  targets: HandTargets,
+  state: HandState,
+  index: number,
+  limbs: LimbWorkspace,
+  setup: SegmentSetup,
+  source: number,
+  frame: number,
+  weight: number,
+  skeleton: Skeleton,
+): void {
+  const w = state.windows[index];
+  const side = w.task.hand === "left" ? 0 : 1;
+  tip(v, 6, limbs.positions, limbs.world, side, skeleton);
+  const g = 3 * index;
+  if (frame <= w.end && tipsByTask(v, w, setup, source)) {
+    const o = 3 * side;
+    if (frame <= w.contact) {
+      // The stroke begins at the point itself, whatever the arm's length has done to the capture's.
+      if (frame === w.contact) {
+        state.penStart[g] = v[o] - w.target.x;
+        state.penStart[g + 1] = v[o + 1] - w.target.y;
+        state.penStart[g + 2] = v[o + 2] - w.target.z;
+      } else tipAtContact(state, index, side, setup);
+    }
+    const s = Math.sin(w.target.yaw);
+    const c = Math.cos(w.target.yaw);
+    let x = v[o] - state.penStart[g];
+    const y = v[o + 1] - state.penStart[g + 1];
+    let z = v[o + 2] - state.penStart[g + 2];
+    // On the board from contact to end, but where the capture lifts the pen.
+    const depth = (x - w.target.x) * s + (z - w.target.z) * c;
+    const touching = frame >= w.contact && depth > -0.008 * (skeleton.height / 1.75);
+    if (frame >= w.contact && (touching || depth > 0)) {
+      x -= depth * s;
+      z -= depth * c;
+    }
+    if (touching) note(state, w, frame, x, y, z);
+    else if (frame >= w.contact) breakStroke(state, w);
+    for (let k = 0; k < 3; k++) state.gaps[g + k] = [x, y, z][k] - v[6 + k];
+  } else if (frame > w.end) breakStroke(state, w);
+  joint(targets, side, limbs, v[6] + weight * state.gaps[g], v[7] + weight * state.gaps[g + 1], v[8] + weight * state.gaps[g + 2], 1, skeleton);
+}
+
+/** Looks ahead to where the capture's pen is at contact, so that the lead aims there from the start. */
+function tipAtContact(state: HandState, index: number, side: number, setup: SegmentSetup): void {
+  const w = state.windows[index];
+  const g = 3 * index;
+  const save = v.slice(0, 6);
+  tipsByTask(v, w, setup, w.sourceContact);
+  state.penStart[g] = v[3 * side] - w.target.x;
+  state.penStart[g + 1] = v[3 * side + 1] - w.target.y;
+  state.penStart[g + 2] = v[3 * side + 2] - w.target.z;
+  v.set(save);
+}
+
+function note(state: HandState, w: TaskWindow, frame: number, x: number, y: number, z: number): void {
+  let stroke = state.ink[state.ink.length - 1];
+  const time = frame / 60;
+  if (!stroke || stroke.task !== w.task.id || stroke.times.length === 0 || time - stroke.times[stroke.times.length - 1] > 0.03) {
+    if (stroke && stroke.task === w.task.id && stroke.times.length === 0) stroke.times.length = 0;
+    else {
+      stroke = { task: w.task.id, times: [], points: [] };
+      state.ink.push(stroke);
+    }
+  }
+  stroke.times.push(time);
+  stroke.points.push(x, y, z);
+}
+
+function breakStroke(state: HandState, w: TaskWindow): void {
+  const stroke = state.ink[state.ink.length - 1];
+  if (stroke && stroke.task === w.task.id && stroke.times.length > 0) state.ink.push({ task: w.task.id, times: [], points: [] });
+}
+
+function boxTargets(targets: HandTargets, state: HandState, limbs: LimbWorkspace, setup: SegmentSetup, source: number, frame: number, skeleton: Skeleton): void {
+  for (const carry of state.carries) {
+    const { lift, place } = carry;
+    const over = place ? place.over : carry.last + 1;
+    if (frame < lift.from || frame > over) continue;
+    tip(v, 0, limbs.positions, limbs.world, 0, skeleton);
+    tip(v, 3, limbs.positions, limbs.world, 1, skeleton);
+    const body = [(v[0] + v[3]) / 2, (v[1] + v[4]) / 2, (v[2] + v[5]) / 2];
+    const bodyYaw = Math.atan2(-(v[2] - v[5]), v[0] - v[3]);
+    const held = frame >= carry.first && frame <= carry.last;
+    const centre = [...body];
+    let yaw = wrapAngle(bodyYaw);
+    for (const w of place ? [lift, place] : [lift]) {
+      const i = state.windows.indexOf(w);
+      const g = 3 * i;
+      const weight = windowWeight(w, frame);
+      if (weight <= 0) continue;
+      if (frame <= w.end && tipsByTask(v, w, setup, source)) {
+        const mid = [(v[0] + v[3]) / 2, (v[1] + v[4]) / 2, (v[2] + v[5]) / 2];
+        // At contact the hands' middle is the box's centre.
+        for (let k = 0; k < 3; k++) state.gaps[g + k] = mid[k] - body[k];
+        if (frame <= w.contact || w === place) correctAtContact(state, w, i, setup);
+        const fade = w === lift ? (frame <= w.contact ? 1 : 1 - minimumJerk((frame - w.contact) / Math.max(1, w.end - w.contact))) : 1;
+        for (let k = 0; k < 3; k++) state.gaps[g + k] -= fade * state.penStart[g + k];
+      }
+      for (let k = 0; k < 3; k++) centre[k] += weight * state.gaps[g + k];
+      const toTask = w === lift ? (frame <= w.contact ? weight : weight * (1 - minimumJerk((frame - w.contact) / Math.max(1, w.end - w.contact)))) : frame <= w.contact ? weight : 1;
+      yaw = wrapAngle(yaw + toTask * wrapAngle(w.target.yaw - yaw));
+    }
+    const reach = frame < carry.first ? windowWeight(lift, frame) : held ? 1 : place ? 1 - minimumJerk((frame - place.contact) / Math.max(1, Math.min(40, place.over - place.contact))) : 1;
+    if (held) {
+      const t = carry.track.transforms;
+      const o = 7 * (frame - carry.first);
+      quatFromAxisAngle(q, 0, 0, 1, 0, yaw);
+      t.set([centre[0], centre[1], centre[2], q[0], q[1], q[2], q[3]], o);
+    }
+    const half = BOX_HALF + PALM_GAP + 0.04 * (1 - reach);
+    const c = Math.cos(yaw);
+    const s = Math.sin(yaw);
+    tip(v, 0, limbs.positions, limbs.world, 0, skeleton);
+    tip(v, 3, limbs.positions, limbs.world, 1, skeleton);
+    for (let side = 0; side < 2; side++) {
+      const sign = side === 0 ? 1 : -1;
+      const x = centre[0] + sign * c * half;
+      const z = centre[2] - sign * s * half;
+      const own = 3 * side;
+      const hx = v[own] + reach * (x - v[own]);
+      const hy = v[own + 1] + reach * (centre[1] - v[own + 1]);
+      const hz = v[own + 2] + reach * (z - v[own + 2]);
+      joint(targets, side, limbs, hx, hy, hz, 1, skeleton);
+    }
+    return;
+  }
+}
+
+/** How far the capture's hands' middle at contact is from its box, as laid on the plan: nothing for the studio's own build. */
+function correctAtContact(state: HandState, w: TaskWindow, i: number, setup: SegmentSetup): void {
+  const save = v.slice(0, 6);
+  if (tipsByTask(v, w, setup, w.sourceContact)) {
+    const g = 3 * i;
+    state.penStart[g] = (v[0] + v[3]) / 2 - w.target.x;
+    state.penStart[g + 1] = (v[1] + v[4]) / 2 - w.target.y;
+    state.penStart[g + 2] = (v[2] + v[5]) / 2 - w.target.z;
+  }
+  v.set(save);
+}
+
+/** Strokes as typed arrays. */
+export function inkOf(state: HandState): InkStroke[] {
+  return state.ink
+    .filter((s) => s.times.length > 1)
+    .map((s) => ({ task: s.task, times: Float32Array.from(s.times), points: Float32Array.from(s.points) }));
+}

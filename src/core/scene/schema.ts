@@ -1,0 +1,187 @@
+/**
+ * Reading scene documents: every field but `version` may be left out; a mistake gives one sentence with its path.
+ */
+import * as v from "valibot";
+import { FEET } from "../steps/types.ts";
+import { TASK_CATEGORIES } from "./task-types.ts";
+import { PROP_KINDS, PROP_SIZES, type Scene } from "./types.ts";
+
+/** What is wrong with a document, and where: "tasks[2].yaw: a number is needed, found \"left\"." */
+export class SceneError extends Error {
+  override name = "SceneError";
+}
+
+const finite = v.pipe(v.number("a number is needed"), v.finite("a finite number is needed"));
+const within = (low: number, high: number) => v.pipe(finite, v.minValue(low, `at least ${low} is needed`), v.maxValue(high, `at most ${high} is possible`));
+const place = within(-1000, 1000);
+const positive = within(0.001, 1000);
+const id = v.pipe(v.string("a text is needed"), v.minLength(1, "a text that is not empty is needed"), v.maxLength(80, "at most 80 characters are possible"));
+const point2 = v.tuple([place, place], "two numbers are needed");
+const point3 = v.tuple([place, place, place], "three numbers are needed");
+const angle = within(-1000, 1000);
+const object = <E extends v.ObjectEntries>(entries: E) => v.strictObject(entries, "an object is needed");
+const list = <S extends v.BaseSchema<unknown, unknown, v.BaseIssue<unknown>>>(item: S, most: number) =>
+  v.pipe(v.array(item, "a list is needed"), v.maxLength(most, `at most ${most} entries are possible`));
+const oneOf = <T extends readonly [string, ...string[]]>(values: T) => v.picklist(values, `one of ${values.join(", ")} is needed`);
+const factor = v.optional(within(0.7, 1.4), 1);
+
+const task = object({
+  id,
+  category: oneOf(TASK_CATEGORIES),
+  effort: v.optional(v.picklist([0, 1] as const, "0 or 1 is needed"), 1),
+  position: point3,
+  yaw: v.optional(angle, 0),
+  duration: v.optional(v.nullable(within(0, 600)), null),
+  hand: v.optional(oneOf(["left", "right"]), "right"),
+});
+
+const path = object({
+  id,
+  points: list(point2, 5000),
+  styles: v.optional(list(object({ at: within(0, 1), style: id }), 200), []),
+  smooth: v.optional(v.boolean("true or false is needed"), true),
+});
+
+const stone = object({
+  id,
+  position: point3,
+  yaw: v.optional(angle, 0),
+  foot: v.optional(v.nullable(oneOf(FEET)), null),
+  time: v.optional(v.nullable(within(0, 3600)), null),
+});
+
+const prop = object({
+  id,
+  kind: oneOf(PROP_KINDS),
+  position: point3,
+  yaw: v.optional(angle, 0),
+  size: v.optional(v.nullable(v.tuple([positive, positive, positive], "three numbers are needed")), null),
+});
+
+const terrain = v.variant(
+  "kind",
+  [
+    object({ kind: v.literal("flat") }),
+    object({ kind: v.literal("slope"), angle: within(-0.7, 0.7), yaw: v.optional(angle, 0) }),
+    object({
+      kind: v.literal("heightfield"),
+      size: v.tuple([positive, positive], "two numbers are needed"),
+      cells: v.tuple([v.pipe(within(1, 512), v.integer("a whole number is needed")), v.pipe(within(1, 512), v.integer("a whole number is needed"))], "two numbers are needed"),
+      heights: list(within(-20, 20), 263169),
+    }),
+  ],
+  "kind flat, slope or heightfield is needed",
+);
+
+const goals = list(point2, 100);
+const crowd = object({
+  agents: v.optional(list(object({ position: point2, yaw: v.optional(angle, 0), goals, speed: v.optional(within(0.05, 5), 1.3) }), 5000), []),
+  regions: v.optional(
+    list(object({ bounds: v.tuple([place, place, place, place], "four numbers are needed"), count: v.pipe(within(0, 5000), v.integer("a whole number is needed")), goals, speed: v.optional(within(0.05, 5), 1.3) }), 100),
+    [],
+  ),
+});
+
+const edit = object({
+  step: v.pipe(within(0, 100000), v.integer("a whole number is needed")),
+  foot: v.optional(v.nullable(oneOf(FEET)), null),
+  position: v.optional(v.nullable(point3), null),
+  yaw: v.optional(v.nullable(angle), null),
+  lift: v.optional(v.nullable(within(0, 3600)), null),
+  land: v.optional(v.nullable(within(0, 3600)), null),
+  pinned: v.optional(v.boolean("true or false is needed"), false),
+});
+
+const document = object({
+  version: v.literal(1, "version 1 is needed"),
+  seed: v.optional(v.pipe(within(0, 4294967295), v.integer("a whole number is needed")), 1),
+  character: v.optional(
+    object({
+      height: v.optional(within(1.2, 2.3), 1.75),
+      proportions: v.optional(object({ leg: factor, arm: factor, torso: factor }), {}),
+      model: v.optional(v.nullable(v.string("a text is needed")), null),
+    }),
+    {},
+  ),
+  start: v.optional(object({ position: v.optional(point2, [0, 0]), yaw: v.optional(angle, 0) }), {}),
+  tasks: v.optional(list(task, 500), []),
+  paths: v.optional(list(path, 100), []),
+  stones: v.optional(list(stone, 2000), []),
+  order: v.optional(list(id, 3000)),
+  props: v.optional(list(prop, 500), []),
+  terrain: v.optional(terrain, { kind: "flat" }),
+  crowd: v.optional(v.nullable(crowd), null),
+  edits: v.optional(list(edit, 5000), []),
+});
+
+/** How a value is shown in an error: short. */
+function shown(value: unknown): string {
+  if (value === undefined) return "nothing";
+  if (typeof value === "number" || typeof value === "boolean" || value === null) return String(value);
+  if (typeof value === "string") return JSON.stringify(value.length > 40 ? `${value.slice(0, 37)}...` : value);
+  return Array.isArray(value) ? `a list of ${value.length}` : `an ${typeof value}`;
+}
+
+/** "tasks[2].yaw" from valibot's path. */
+function dotted(path: readonly { key?: unknown }[] | undefined): string {
+  let out = "";
+  for (const item of path ?? []) out += typeof item.key === "number" ? `[${item.key}]` : `${out ? "." : ""}${String(item.key)}`;
+  return out || "scene";
+}
+
+/**
+ * A scene from parsed JSON, every default filled in.
+ *
+ * @throws SceneError with the path and what is needed there.
+ */
+export function parseScene(value: unknown): Scene {
+  const result = v.safeParse(document, value, { abortEarly: true });
+  if (!result.success) {
+    const issue = result.issues[0];
+    const where = dotted(issue.path as readonly { key?: unknown }[] | undefined);
+    if (issue.type === "strict_object" && issue.expected === "never") throw new SceneError(`${where}: no such field is known.`);
+    const needed = issue.type === "strict_object" && issue.received === "undefined" ? "this field is needed" : issue.message;
+    throw new SceneError(`${where}: ${needed}, found ${shown(issue.input)}.`);
+  }
+  const d = result.output;
+  const ids = [...d.tasks, ...d.paths, ...d.stones].map((x) => x.id);
+  const seen = new Set<string>();
+  for (const [name, items] of [["tasks", d.tasks], ["paths", d.paths], ["stones", d.stones], ["props", d.props]] as const) {
+    items.forEach((item, i) => {
+      const key = name === "props" ? `prop ${item.id}` : item.id;
+      if (seen.has(key)) throw new SceneError(`${name}[${i}].id: an id of its own is needed, found ${shown(item.id)} again.`);
+      seen.add(key);
+    });
+  }
+  const order = d.order ?? ids;
+  order.forEach((x, i) => {
+    if (!ids.includes(x)) throw new SceneError(`order[${i}]: no task, path or stone has the id ${shown(x)}.`);
+    if (order.indexOf(x) !== i) throw new SceneError(`order[${i}]: each id is named once, found ${shown(x)} again.`);
+  });
+  if (d.terrain.kind === "heightfield") {
+    const wanted = (d.terrain.cells[0] + 1) * (d.terrain.cells[1] + 1);
+    if (d.terrain.heights.length !== wanted) throw new SceneError(`terrain.heights: ${wanted} numbers are needed, found ${d.terrain.heights.length}.`);
+  }
+  return {
+    ...d,
+    // Things that the order leaves out come last, in their own order.
+    order: [...order, ...ids.filter((x) => !order.includes(x))],
+    props: d.props.map((p) => ({ ...p, size: p.size ?? PROP_SIZES[p.kind] })),
+  } as Scene;
+}
+
+/** A scene from JSON text. @throws SceneError, naming `name` where the text is no JSON. */
+export function readScene(text: string, name: string): Scene {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch (error) {
+    throw new SceneError(`${name}: no JSON: ${error instanceof Error ? error.message : String(error)}`);
+  }
+  return parseScene(value);
+}
+
+/** The scene as JSON text, two spaces deep. */
+export function serializeScene(scene: Scene): string {
+  return `${JSON.stringify(scene, null, 2)}\n`;
+}
