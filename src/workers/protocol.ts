@@ -23,15 +23,15 @@ export type PlannerRequest =
       fromFrame: number;
     }
   | { type: "cancel"; id: number }
-  /** BVH text to be made into templates of the running library: answered by `imported` or `failed`. */
-  | { type: "import"; id: number; name: string; bvh: string; sidecar: string | null };
+  /** First: where the library is. Answered by `ready` or `failed` with id 0. */
+  | { type: "load"; url: string };
 
 export type PlannerResponse =
   | { type: "ready"; templates: number; clips: number; transitions: number[][] }
-  | { type: "progress"; id: number; what: string; done: number; total: number }
   | { type: "planned"; id: number; plan: Plan; planMs: number; /** Frames of the whole motion. */ frames: number }
   | { type: "motion"; id: number; chunk: MotionChunk }
   | { type: "finished"; id: number; boxes: BoxTrack[]; ink: InkStroke[]; quality: QualityFigures; motionMs: number }
   | { type: "dropped"; id: number }
-  | { type: "imported"; id: number; name: string; clip: MotionChunk; templates: number; report: string }
+  /** A newer request came while this one was worked on: `dropped` follows. */
+  | { type: "overtaken"; id: number }
   | { type: "failed"; id: number; message: string };

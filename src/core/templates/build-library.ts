@@ -30,17 +30,19 @@ const BELONGS = 0.1;
 
 /** The library of the given captures and their mirror images, in the order given. */
 export function buildLibrary(captures: readonly Capture[], options: { mirror?: boolean } = {}): Library {
+  return assembleLibrary(captures.map(prepareClip), options.mirror !== false);
+}
+
+/** The library of prepared clips, doubled by their mirror images where wanted. */
+export function assembleLibrary(clips: readonly LibraryClip[], mirror: boolean): Library {
   const library = emptyLibrary();
-  for (const capture of captures) addClip(library, prepareClip(capture), capture.name, false);
-  if (options.mirror !== false) {
-    const count = library.clips.length;
-    for (let i = 0; i < count; i++) addClip(library, mirrorLibraryClip(library.clips[i]), captures[i].name, true);
-  }
+  for (const c of clips) addClip(library, c, c.clip.name, false);
+  if (mirror) for (const c of clips) addClip(library, mirrorLibraryClip(c), c.clip.name, true);
   learnRadii(library);
   return library;
 }
 
-export function emptyLibrary(): Library {
+function emptyLibrary(): Library {
   return {
     version: 1,
     clips: [],
@@ -62,7 +64,7 @@ export function prepareClip(capture: Capture): LibraryClip {
   return prepared;
 }
 
-export function mirrorLibraryClip(source: LibraryClip): LibraryClip {
+function mirrorLibraryClip(source: LibraryClip): LibraryClip {
   const [left, right] = source.initialStance;
   return {
     clip: mirrorClip(source.clip),
@@ -162,7 +164,7 @@ function endsOnOneFoot(clip: LibraryClip, last: number, task: SidecarTask): "lef
 }
 
 /** Enter radius of a category: the median distance from the task at which its entries begin [TaskLoco Algorithm 1]. */
-export function learnRadii(library: Library): void {
+function learnRadii(library: Library): void {
   const found: Partial<Record<TaskCategory, number[]>> = {};
   for (const t of library.templates) {
     if (t.phase !== "enter") continue;
@@ -177,4 +179,11 @@ export function learnRadii(library: Library): void {
     const list = found[c]?.sort((a, b) => a - b);
     if (list && list.length > 0) library.enterRadius[c] = list[list.length >> 1];
   }
+}
+
+/** One library of several, whatever way their captures were divided: clips in order of their names. */
+export function mergeLibraries(libraries: readonly Library[]): Library {
+  const clips = libraries.flatMap((l) => l.clips.filter((c) => !c.clip.name.endsWith("~")));
+  clips.sort((a, b) => (a.clip.name < b.clip.name ? -1 : a.clip.name > b.clip.name ? 1 : 0));
+  return assembleLibrary(clips, true);
 }

@@ -1,0 +1,55 @@
+/** Options of a command: `--name value [value ...]` and plain words. */
+
+/** Wrong usage: exit code 2. */
+export class UsageError extends Error {
+  override name = "UsageError";
+}
+
+export interface Options {
+  words: string[];
+  values: Map<string, string[]>;
+}
+
+/**
+ * Reads options.
+ *
+ * @param known names of options and whether they take values.
+ * @throws UsageError for an unknown option or a missing value.
+ */
+export function readOptions(args: readonly string[], known: Record<string, "flag" | "one" | "many">): Options {
+  const out: Options = { words: [], values: new Map() };
+  let open: string | null = null;
+  for (const a of args) {
+    if (a.startsWith("--")) {
+      const name = a.slice(2);
+      if (!(name in known)) throw new UsageError(`${a}: no such option is known.`);
+      open = known[name] === "flag" ? null : name;
+      out.values.set(name, out.values.get(name) ?? []);
+    } else if (open) {
+      out.values.get(open)?.push(a);
+      if (known[open] === "one") open = null;
+    } else out.words.push(a);
+  }
+  for (const [name, values] of out.values) {
+    if (known[name] !== "flag" && values.length === 0) throw new UsageError(`--${name}: a value is needed.`);
+  }
+  return out;
+}
+
+/** One value, or undefined. */
+export const one = (o: Options, name: string): string | undefined => o.values.get(name)?.[0];
+
+/** One value. @throws UsageError when it is missing. */
+export function needed(o: Options, name: string): string {
+  const v = one(o, name);
+  if (v === undefined) throw new UsageError(`--${name} is needed.`);
+  return v;
+}
+
+/** Where the results of several inputs go: `DIR/NAME.ext`; of one, the file named. */
+export function outputs(inputs: readonly string[], out: string, extension: string): string[] {
+  if (inputs.length === 1 && !out.endsWith("/")) return [out];
+  return inputs.map((i) => `${out.replace(/\/$/, "")}/${baseName(i)}.${extension}`);
+}
+
+export const baseName = (path: string): string => (path.split(/[\\/]/).pop() ?? path).replace(/\.[^.]*$/, "");

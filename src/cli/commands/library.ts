@@ -1,0 +1,56 @@
+/** `library`: captures into the library of templates; without `--clips`, the studio's set. */
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { buildLibrary, type Capture, mergeLibraries } from "../../core/templates/build-library.ts";
+import { decodeLibrary, encodeLibrary } from "../../core/templates/library-file.ts";
+import type { Library } from "../../core/templates/types.ts";
+import { renderScore } from "../../studio/render.ts";
+import { studioSet } from "../../studio/set.ts";
+import { baseName, needed, one, readOptions, UsageError } from "../args.ts";
+import { readCapture, readSidecar } from "../read.ts";
+
+/** The studio's captures as the library reads them: motion and tasks, never the exact contacts. */
+export function studioCaptures(progress: (text: string) => void): Capture[] {
+  const set = studioSet();
+  return set.map(({ name, score }, i) => {
+    progress(`${i + 1}/${set.length} ${name}`);
+    const { clip, sidecar } = renderScore(score);
+    return { name, clip, tasks: sidecar.tasks };
+  });
+}
+
+function folderCaptures(folder: string, shard: [number, number]): Capture[] {
+  const files = readdirSync(folder)
+    .filter((f) => f.toLowerCase().endsWith(".bvh"))
+    .sort()
+    .filter((_, i) => i % shard[1] === shard[0] - 1);
+  return files.map((f, i) => {
+    console.error(`${i + 1}/${files.length} ${f}`);
+    const path = join(folder, f);
+    return { name: baseName(f), clip: readCapture(path).clip, tasks: readSidecar(path.replace(/\.bvh$/i, ".json"))?.tasks ?? [] };
+  });
+}
+
+function write(library: Library, out: string): object {
+  mkdirSync(dirname(out), { recursive: true });
+  const bytes = encodeLibrary(library);
+  writeFileSync(out, bytes);
+  return { file: out, bytes: bytes.length, clips: library.clips.length, templates: library.templates.length, walks: library.walks.length };
+}
+
+export const libraryCommand = {
+  usage: "library [--clips DIR] --out F [--shard I/N] | library merge A B ... --out F",
+  run(args: string[]) {
+    const o = readOptions(args, { clips: "one", out: "one", shard: "one" });
+    const out = needed(o, "out");
+    if (o.words[0] === "merge") {
+      if (o.words.length < 2) throw new UsageError("merge: files are needed.");
+      return write(mergeLibraries(o.words.slice(1).map((f) => decodeLibrary(readFileSync(f)))), out);
+    }
+    const shard = (one(o, "shard") ?? "1/1").split("/").map(Number) as [number, number];
+    if (!(shard[0] >= 1 && shard[0] <= shard[1])) throw new UsageError("--shard: I/N with 1 <= I <= N is needed.");
+    const clips = one(o, "clips");
+    const captures = clips ? folderCaptures(clips, shard) : studioCaptures((t) => console.error(t));
+    return write(buildLibrary(captures), out);
+  },
+};

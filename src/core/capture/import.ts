@@ -1,0 +1,330 @@
+/**
+ * A BVH file onto our skeleton: joints mapped, scale and floor found, 60 Hz, feet where the capture has them.
+ *
+ * Rest poses are not trusted (some are no T-pose at all): limbs are rebuilt from where the joints are in every frame. Bones
+ * take the capture's directions, knees and elbows bend in its planes, ankles stand exactly on its ankles.
+ */
+import { solveLeg } from "../ik/leg.ts";
+import { solveTwoBone } from "../ik/two-bone.ts";
+import { quatBetween, quatFromAxisAngle, quatFromYawPitchRoll, quatInverseMultiply, quatMultiply, quatNormalize, quatRotate, quatSlerp } from "../math/quaternion.ts";
+import { toeSegmentPitch } from "../motion/sole.ts";
+import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
+import { J, JOINT_COUNT, JOINT_NAMES, type JointName } from "../skeleton/joints.ts";
+import { createSkeleton, type Skeleton } from "../skeleton/skeleton.ts";
+import { type BvhFile, BvhError, parseBvh } from "./bvh-parse.ts";
+import { worldOf, type WorldMotion } from "./bvh-world.ts";
+import { CLIP_RATE, type Clip } from "./clip.ts";
+import { mapJoints } from "./names.ts";
+
+export interface ImportReport {
+  /** Our joint: the file's. */
+  mapped: Record<string, string>;
+  unmapped: string[];
+  /** Of our joints, those the file has none for. */
+  missing: string[];
+  frames: number;
+  rate: number;
+  seconds: number;
+  /** Metres a unit of the file. */
+  scale: number;
+  up: "y" | "z";
+  /** Height of the floor in the file, metres. */
+  floor: number;
+  height: number;
+  legLength: number;
+  warnings: string[];
+}
+
+export interface ImportResult {
+  clip: Clip;
+  report: ImportReport;
+}
+
+const NEEDED: JointName[] = ["hips", "leftUpperLeg", "leftLowerLeg", "leftFoot", "rightUpperLeg", "rightLowerLeg", "rightFoot"];
+
+/**
+ * A BVH text as a clip on a skeleton of the actor's own size.
+ *
+ * @throws BvhError for broken files and rigs without legs.
+ */
+export function importBvh(text: string, name: string): ImportResult {
+  const file = parseBvh(text, name);
+  const joints = mapJoints(
+    file.joints.map((j) => j.name),
+    file.joints.map((j) => j.parent),
+  );
+  const lacking = NEEDED.filter((j) => !joints.has(j));
+  if (lacking.length > 0) throw new BvhError(`${name}: no joint was found for ${lacking.join(", ")}.`);
+  const warnings: string[] = [];
+  const world = worldOf(file, joints);
+  const leg = measureLeg(world, joints);
+  const skeleton = createSkeleton(Math.max(1.2, Math.min(2.3, (leg / 0.93) * 1.75)));
+  if (!joints.has("leftToes") || !joints.has("rightToes")) warnings.push("This skeleton has no toes. Heel contacts are found; toe contacts are guessed from the ankle.");
+  const feet = calibrateFeet(world, joints);
+  const clip = rebuild(file, world, joints, skeleton, feet);
+  const used = new Set(joints.values());
+  return {
+    clip,
+    report: {
+      mapped: Object.fromEntries([...joints].map(([ours, i]) => [ours, file.joints[i].name])),
+      unmapped: file.joints.filter((_, i) => !used.has(i)).map((j) => j.name),
+      missing: JOINT_NAMES.filter((j) => !joints.has(j)),
+      frames: file.frames,
+      rate: Math.round((1 / file.frameTime) * 100) / 100,
+      seconds: file.frames * file.frameTime,
+      scale: world.scale,
+      up: world.up,
+      floor: feet.floor,
+      height: skeleton.height,
+      legLength: skeleton.legLength,
+      warnings,
+    },
+  };
+}
+
+type Joints = Map<JointName, number>;
+
+/** World place of one of our joints in a frame; of the nearest that the file has. */
+function placeOf(world: WorldMotion, joint: number, frame: number, out: Float64Array, o: number): void {
+  const i = 3 * (frame * world.joints + joint);
+  for (let k = 0; k < 3; k++) out[o + k] = world.positions[i + k];
+}
+
+function distance(world: WorldMotion, a: number, b: number, frame: number): number {
+  const i = 3 * (frame * world.joints + a);
+  const j = 3 * (frame * world.joints + b);
+  return Math.hypot(world.positions[i] - world.positions[j], world.positions[i + 1] - world.positions[j + 1], world.positions[i + 2] - world.positions[j + 2]);
+}
+
+/** Thigh, shank and ankle height as our leg length counts them. */
+function measureLeg(world: WorldMotion, joints: Joints): number {
+  const g = (n: JointName) => joints.get(n) as number;
+  const thigh = distance(world, g("leftUpperLeg"), g("leftLowerLeg"), 0);
+  const shank = distance(world, g("leftLowerLeg"), g("leftFoot"), 0);
+  return (thigh + shank) * (0.93 / 0.84);
+}
+
+interface FeetCalibration {
+  floor: number;
+  /** Slope of ankle to toe when the foot is flat, left and right, radians (toe up positive); and the ankle's height over the floor. */
+  slope: [number, number];
+  ankle: [number, number];
+}
+
+/** How high and how steep the feet are when they rest: the stillest low frames of each. */
+function calibrateFeet(world: WorldMotion, joints: Joints): FeetCalibration {
+  const out: FeetCalibration = { floor: 0, slope: [-0.6, -0.6], ankle: [0.09, 0.09] };
+  const floors: number[] = [];
+  (["left", "right"] as const).forEach((side, s) => {
+    const foot = joints.get(`${side}Foot`) as number;
+    const toe = joints.get(`${side}Toes`);
+    const rows: { speed: number; y: number; slope: number }[] = [];
+    const a = new Float64Array(6);
+    for (let f = 1; f < world.frames; f++) {
+      placeOf(world, foot, f, a, 0);
+      const i = 3 * (f * world.joints + foot);
+      const j = 3 * ((f - 1) * world.joints + foot);
+      const speed = Math.hypot(world.positions[i] - world.positions[j], world.positions[i + 1] - world.positions[j + 1], world.positions[i + 2] - world.positions[j + 2]) * world.rate;
+      let slope = -0.6;
+      if (toe !== undefined) {
+        placeOf(world, toe, f, a, 3);
+        slope = Math.atan2(a[4] - a[1], Math.hypot(a[3] - a[0], a[5] - a[2]));
+      }
+      rows.push({ speed, y: a[1], slope });
+    }
+    if (rows.length === 0) rows.push({ speed: 0, y: world.positions[3 * foot + 1], slope: -0.6 });
+    // The slowest sixth, and of these the middle.
+    rows.sort((x, y) => x.speed - y.speed);
+    const still = rows.slice(0, Math.max(1, Math.ceil(rows.length / 6)));
+    const mid = (values: number[]) => values.sort((x, y) => x - y)[values.length >> 1];
+    const y = mid(still.map((r) => r.y));
+    out.slope[s] = mid(still.map((r) => r.slope));
+    out.ankle[s] = y;
+    floors.push(y);
+  });
+  out.floor = Math.min(...floors) - 0.09 * (measureLeg(world, joints) / 0.93);
+  return out;
+}
+
+/** Our clip, frame by frame. */
+function rebuild(file: BvhFile, world: WorldMotion, joints: Joints, skeleton: Skeleton, feet: FeetCalibration): Clip {
+  const seconds = (file.frames - 1) * file.frameTime;
+  const frames = Math.max(1, Math.round(seconds * CLIP_RATE) + 1);
+  const clip: Clip = {
+    name: file.name,
+    skeleton,
+    rate: CLIP_RATE,
+    frames,
+    root: new Float64Array(3 * frames),
+    rotations: new Float64Array(4 * JOINT_COUNT * frames),
+  };
+  const at = new Float64Array(3 * world.joints);
+  const pose = new Float64Array(4 * JOINT_COUNT);
+  const ours = createPoser(joints, skeleton, feet);
+  for (let f = 0; f < frames; f++) {
+    const x = Math.min(world.frames - 1, (f / CLIP_RATE) * world.rate);
+    interpolate(at, world, x);
+    ours(at, pose, clip.root, 3 * f);
+    clip.rotations.set(pose, 4 * JOINT_COUNT * f);
+  }
+  for (let i = 4 * JOINT_COUNT; i < clip.rotations.length; i += 4) {
+    const b = i - 4 * JOINT_COUNT;
+    const r = clip.rotations;
+    if (r[i] * r[b] + r[i + 1] * r[b + 1] + r[i + 2] * r[b + 2] + r[i + 3] * r[b + 3] < 0) for (let k = 0; k < 4; k++) r[i + k] = -r[i + k];
+  }
+  return clip;
+}
+
+/** Joint places at a fractional frame: Catmull-Rom between the file's frames. */
+function interpolate(out: Float64Array, world: WorldMotion, x: number): void {
+  const n = world.frames;
+  const i = Math.min(n - 1, Math.floor(x));
+  const t = x - i;
+  const row = 3 * world.joints;
+  const a = Math.max(0, i - 1) * row;
+  const b = i * row;
+  const c = Math.min(n - 1, i + 1) * row;
+  const d = Math.min(n - 1, i + 2) * row;
+  const p = world.positions;
+  for (let k = 0; k < row; k++) {
+    out[k] = t < 1e-9 ? p[b + k] : p[b + k] + 0.5 * t * (p[c + k] - p[a + k] + t * (2 * p[a + k] - 5 * p[b + k] + 4 * p[c + k] - p[d + k] + t * (3 * (p[b + k] - p[c + k]) + p[d + k] - p[a + k])));
+  }
+}
+
+type Poser = (at: Float64Array, pose: Float64Array, root: Float64Array, o: number) => void;
+
+/** The function that poses our skeleton like the file's joints. */
+function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibration): Poser {
+  const g = (n: JointName) => joints.get(n);
+  const positions = new Float64Array(3 * JOINT_COUNT);
+  const rotations = new Float64Array(4 * JOINT_COUNT);
+  const q = new Float64Array(24);
+  const v = new Float64Array(12);
+  const basis = (o: number, left: Float64Array, up: Float64Array) => {
+    // +X along `left`, +Y as near to `up` as that allows.
+    const n = Math.hypot(left[0], left[1], left[2]) || 1;
+    const x = [left[0] / n, left[1] / n, left[2] / n];
+    const d = up[0] * x[0] + up[1] * x[1] + up[2] * x[2];
+    const y = [up[0] - d * x[0], up[1] - d * x[1], up[2] - d * x[2]];
+    const m = Math.hypot(y[0], y[1], y[2]) || 1;
+    quatBetween(q, o, 1, 0, 0, x[0], x[1], x[2]);
+    quatRotate(v, 9, q, o, 0, 1, 0);
+    quatBetween(q, 20, v[9], v[10], v[11], y[0] / m, y[1] / m, y[2] / m);
+    // The second turn is about x, unless up was turned over altogether.
+    quatMultiply(q, o, q, 20, q, o);
+    quatNormalize(q, o);
+  };
+  const sub = (at: Float64Array, a: number, b: number): Float64Array => Float64Array.of(at[3 * a] - at[3 * b], at[3 * a + 1] - at[3 * b + 1], at[3 * a + 2] - at[3 * b + 2]);
+  const lul = g("leftUpperLeg") as number;
+  const rul = g("rightUpperLeg") as number;
+  const top = g("neck") ?? g("head") ?? g("upperChest") ?? g("chest");
+  const low = g("spine") ?? g("chest");
+  const lua = g("leftUpperArm");
+  const rua = g("rightUpperArm");
+  return (at, pose, root, o) => {
+    pose.fill(0);
+    for (let j = 0; j < JOINT_COUNT; j++) pose[4 * j + 3] = 1;
+    const hips = Float64Array.of((at[3 * lul] + at[3 * rul]) / 2, (at[3 * lul + 1] + at[3 * rul + 1]) / 2, (at[3 * lul + 2] + at[3 * rul + 2]) / 2);
+    const spineUp = low !== undefined && low !== lul ? Float64Array.of(at[3 * low] - hips[0], at[3 * low + 1] - hips[1], at[3 * low + 2] - hips[2]) : Float64Array.of(0, 1, 0);
+    const trunkUp = top !== undefined ? Float64Array.of(at[3 * top] - hips[0], at[3 * top + 1] - hips[1], at[3 * top + 2] - hips[2]) : Float64Array.of(0, 1, 0);
+    // A short first spine bone says little of the pelvis: lean on the trunk too.
+    const up = Float64Array.of(spineUp[0] + trunkUp[0], spineUp[1] + trunkUp[1], spineUp[2] + trunkUp[2]);
+    basis(0, sub(at, lul, rul), up);
+    const shoulders = lua !== undefined && rua !== undefined ? sub(at, lua, rua) : sub(at, lul, rul);
+    const chest = g("chest") ?? low;
+    const chestUp = top !== undefined && chest !== undefined && chest !== top ? sub(at, top, chest) : trunkUp;
+    basis(4, shoulders, chestUp);
+    const head = g("head");
+    const neck = g("neck");
+    if (head !== undefined && neck !== undefined) basis(8, shoulders, sub(at, head, neck));
+    else for (let k = 0; k < 4; k++) q[8 + k] = q[4 + k];
+    // The head keeps mostly upright over the chest.
+    quatSlerp(q, 8, q, 4, q, 8, 0.4);
+    for (let k = 0; k < 4; k++) pose[k] = q[k];
+    quatSlerp(q, 12, q, 0, q, 4, 0.3);
+    quatInverseMultiply(pose, 4 * J.spine, q, 0, q, 12);
+    quatSlerp(q, 16, q, 0, q, 4, 0.65);
+    quatInverseMultiply(pose, 4 * J.chest, q, 12, q, 16);
+    quatInverseMultiply(pose, 4 * J.upperChest, q, 16, q, 4);
+    quatSlerp(q, 12, q, 4, q, 8, 0.5);
+    quatInverseMultiply(pose, 4 * J.neck, q, 4, q, 12);
+    quatInverseMultiply(pose, 4 * J.head, q, 12, q, 8);
+    // Our hip joints' middle on the file's.
+    quatRotate(v, 0, pose, 0, 0, skeleton.offsets[3 * J.leftUpperLeg + 1], 0);
+    root[o] = hips[0] - v[0];
+    root[o + 1] = hips[1] - feet.floor - v[1];
+    root[o + 2] = hips[2] - v[2];
+    forwardKinematics(positions, rotations, skeleton, root, o, pose, 0);
+    for (let side = 0; side < 2; side++) {
+      const s = side === 0 ? "left" : "right";
+      const foot = g(`${s}Foot`) as number;
+      const knee = g(`${s}LowerLeg`) as number;
+      const toe = g(`${s}Toes`);
+      const upper = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
+      const hip = side === 0 ? lul : rul;
+      const ax = at[3 * foot];
+      const rise = skeleton.foot.ankleHeight;
+      const ay = at[3 * foot + 1] - feet.ankle[side] + rise;
+      const az = at[3 * foot + 2];
+      // Which way the knee points: out of the line from hip to ankle, else with the foot.
+      const mid = [0, 1, 2].map((k) => at[3 * knee + k] - (at[3 * hip + k] + at[3 * foot + k]) / 2);
+      const ahead = toe !== undefined ? [at[3 * toe] - ax, 0, at[3 * toe + 2] - az] : [Math.sin(0), 0, 1];
+      if (toe === undefined) {
+        quatRotate(v, 0, pose, 0, 0, 0, 1);
+        for (let k = 0; k < 3; k++) ahead[k] = v[k];
+      }
+      const out = Math.hypot(mid[0], mid[1], mid[2]);
+      const f = Math.min(1, out / 0.03);
+      const n = Math.hypot(ahead[0], ahead[2]) || 1;
+      solveLeg(
+        pose,
+        positions,
+        rotations,
+        J.hips,
+        upper,
+        skeleton.offsets,
+        ax,
+        ay,
+        az,
+        (f * mid[0]) / (out || 1) + (1.1 - f) * (ahead[0] / n),
+        (f * mid[1]) / (out || 1),
+        (f * mid[2]) / (out || 1) + (1.1 - f) * (ahead[2] / n),
+      );
+      const yaw = Math.atan2(ahead[0], ahead[2]);
+      const slope = toe !== undefined ? Math.atan2(at[3 * toe + 1] - at[3 * foot + 1], Math.hypot(at[3 * toe] - ax, at[3 * toe + 2] - az)) : feet.slope[side];
+      const pitch = slope - feet.slope[side];
+      quatFromYawPitchRoll(rotations, 4 * (upper + 2), yaw, -pitch, 0);
+      quatInverseMultiply(pose, 4 * (upper + 2), rotations, 4 * (upper + 1), rotations, 4 * (upper + 2));
+      // Toes stay on the floor while the ball does.
+      const ballHeight = ay + skeleton.foot.ballForward * Math.sin(pitch) - (rise - skeleton.foot.ballHeight) * Math.cos(pitch);
+      const near = Math.max(0, Math.min(1, (0.08 - ballHeight) / 0.04));
+      const bend = pitch < 0 ? (toeSegmentPitch(pitch) - pitch) * near : 0;
+      quatFromAxisAngle(pose, 4 * (upper + 3), 1, 0, 0, -Math.min(1.1, bend));
+    }
+    for (let side = 0; side < 2; side++) {
+      const s = side === 0 ? "left" : "right";
+      const ua = g(`${s}UpperArm`);
+      const la = g(`${s}LowerArm`);
+      const ha = g(`${s}Hand`);
+      if (ua === undefined || la === undefined || ha === undefined) continue;
+      const upper = side === 0 ? J.leftUpperArm : J.rightUpperArm;
+      const sign = side === 0 ? 1 : -1;
+      const length = Math.abs(skeleton.offsets[3 * (upper + 1)]);
+      const lower = Math.abs(skeleton.offsets[3 * (upper + 2)]);
+      const du = sub(at, la, ua);
+      const dl = sub(at, ha, la);
+      const nu = Math.hypot(du[0], du[1], du[2]) || 1;
+      const nl = Math.hypot(dl[0], dl[1], dl[2]) || 1;
+      // Put the arm as it hangs first, so that its twist is a person's.
+      quatFromAxisAngle(q, 20, 0, 0, 1, -sign * 1.4);
+      for (let k = 0; k < 4; k++) pose[4 * upper + k] = q[20 + k];
+      forwardKinematics(positions, rotations, skeleton, root, o, pose, 0);
+      const e = [0, 1, 2].map((k) => positions[3 * upper + k] + (du[k] / nu) * length);
+      const h = [0, 1, 2].map((k) => e[k] + (dl[k] / nl) * lower);
+      // The elbow is where the capture has it: the hint is exact.
+      for (let k = 0; k < 3; k++) v[6 + k] = e[k] - (positions[3 * upper + k] + h[k]) / 2;
+      for (let k = 0; k < 3; k++) positions[3 * (upper + 1) + k] = e[k];
+      solveTwoBone(pose, 0, positions, rotations, upper - 1, upper, upper + 1, upper + 2, skeleton.offsets, h[0], h[1], h[2], v, 6);
+    }
+  };
+}

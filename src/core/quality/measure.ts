@@ -1,0 +1,231 @@
+/**
+ * Motion-quality figures on a motion with contacts: what the editor shows and the result document carries.
+ *
+ * Definitions follow docs/quality.md. Popping and jerk need reference captures to compare with and are left null here.
+ */
+import { J, JOINT_COUNT } from "../skeleton/joints.ts";
+import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
+import { quatRotate } from "../math/quaternion.ts";
+import type { MotionChunk, QualityFigures } from "../motion/types.ts";
+import type { Skeleton } from "../skeleton/skeleton.ts";
+import type { Plan } from "../tasks/plan-types.ts";
+import type { TaskGoal } from "../tasks/transition.ts";
+import { balanceShares } from "./balance.ts";
+
+/** Sole points a foot: heel, ball, tip. */
+const ROW = 9;
+
+export interface MotionPoints {
+  frames: number;
+  /** frames x JOINT_COUNT x 3. */
+  joints: Float64Array;
+  /** frames x 2 x 9: heel, ball, tip of left and right. */
+  soles: Float64Array;
+  /** frames x 2 x 3: palms. */
+  palms: Float64Array;
+  /** Pelvis up axis, frames x 3. */
+  up: Float64Array;
+  contacts: Uint8Array;
+}
+
+/** Places of joints and soles over a motion. */
+export function motionPoints(skeleton: Skeleton, chunks: readonly MotionChunk[], frames: number): MotionPoints {
+  const out: MotionPoints = {
+    frames,
+    joints: new Float64Array(3 * JOINT_COUNT * frames),
+    soles: new Float64Array(2 * ROW * frames),
+    palms: new Float64Array(6 * frames),
+    up: new Float64Array(3 * frames),
+    contacts: new Uint8Array(frames),
+  };
+  const p = new Float64Array(3 * JOINT_COUNT);
+  const w = new Float64Array(4 * JOINT_COUNT);
+  const v = new Float64Array(3);
+  const shape = skeleton.foot;
+  for (const chunk of chunks) {
+    for (let k = 0; k < chunk.frames; k++) {
+      const f = chunk.first + k;
+      if (f >= frames) break;
+      forwardKinematics(p, w, skeleton, chunk.root, 3 * k, chunk.rotations, 4 * JOINT_COUNT * k);
+      out.joints.set(p, 3 * JOINT_COUNT * f);
+      out.contacts[f] = chunk.contacts[k];
+      quatRotate(v, 0, w, 0, 0, 1, 0);
+      out.up.set(v, 3 * f);
+      for (let side = 0; side < 2; side++) {
+        const foot = side === 0 ? J.leftFoot : J.rightFoot;
+        const hand = side === 0 ? J.leftHand : J.rightHand;
+        const o = (2 * f + side) * ROW;
+        quatRotate(v, 0, w, 4 * foot, 0, -shape.ankleHeight, -shape.heelBack);
+        for (let i = 0; i < 3; i++) out.soles[o + i] = p[3 * foot + i] + v[i];
+        quatRotate(v, 0, w, 4 * (foot + 1), 0, -shape.ballHeight, 0);
+        for (let i = 0; i < 3; i++) out.soles[o + 3 + i] = p[3 * (foot + 1) + i] + v[i];
+        quatRotate(v, 0, w, 4 * (foot + 1), 0, -shape.ballHeight, shape.tipForward);
+        for (let i = 0; i < 3; i++) out.soles[o + 6 + i] = p[3 * (foot + 1) + i] + v[i];
+        quatRotate(v, 0, w, 4 * hand, side === 0 ? skeleton.palm : -skeleton.palm, 0, 0);
+        for (let i = 0; i < 3; i++) out.palms[6 * f + 3 * side + i] = p[3 * hand + i] + v[i];
+      }
+    }
+  }
+  return out;
+}
+
+/** 95th percentile; null of nothing. */
+function p95(values: number[]): number | null {
+  if (values.length === 0) return null;
+  values.sort((a, b) => a - b);
+  return values[Math.min(values.length - 1, Math.floor(0.95 * values.length))];
+}
+
+/** The figures of a motion that answers a plan. Millimetres, degrees, shares. */
+export function measureMotion(skeleton: Skeleton, chunks: readonly MotionChunk[], frames: number, plan: Plan, goals: readonly TaskGoal[]): QualityFigures {
+  const points = motionPoints(skeleton, chunks, frames);
+  const slides: number[] = [];
+  const flats: number[] = [];
+  let deepest = 0;
+  const floats: number[] = [];
+  for (let side = 0; side < 2; side++) {
+    const at = (f: number, k: number) => points.soles[(2 * f + side) * ROW + k];
+    const bits = (f: number) => (points.contacts[f] >> (2 * side)) & 3;
+    // Heel plants by the heel point; toe plants by whichever of ball and tip moves less from frame to frame.
+    for (const bit of [1, 2]) {
+      for (const [a, b] of runs(frames, (f) => (bits(f) & bit) !== 0)) {
+        let x = 0;
+        let z = 0;
+        let far = 0;
+        for (let f = a + 1; f < b; f++) {
+          let dx = Number.POSITIVE_INFINITY;
+          let dz = 0;
+          for (const k of bit === 1 ? [0] : [3, 6]) {
+            const ex = at(f, k) - at(f - 1, k);
+            const ez = at(f, k + 2) - at(f - 1, k + 2);
+            if (ex * ex + ez * ez < dx * dx + dz * dz || dx === Number.POSITIVE_INFINITY) {
+              dx = ex;
+              dz = ez;
+            }
+          }
+          x += dx;
+          z += dz;
+          far = Math.max(far, Math.hypot(x, z));
+        }
+        slides.push(1000 * far);
+        for (let f = a; f < b; f++) {
+          const y = bit === 1 ? at(f, 1) : Math.min(at(f, 4), at(f, 7));
+          deepest = Math.max(deepest, -1000 * y);
+          floats.push(Math.max(0, 1000 * y));
+        }
+      }
+    }
+    for (const [a, b] of runs(frames, (f) => bits(f) === 3)) {
+      let far = 0;
+      for (let f = a; f < b; f++) far = Math.max(far, Math.hypot(at(f, 3) - at(a, 3), at(f, 5) - at(a, 5)));
+      flats.push(1000 * far);
+    }
+  }
+  const balance = balanceShares(points, skeleton, plan, goals);
+  return {
+    skate: p95(slides),
+    skateFlat: p95(flats),
+    penetration: deepest,
+    float: p95(floats),
+    reach: reachOf(points, plan, goals, skeleton),
+    footstepError: footstepErrorOf(points, plan),
+    limitViolations: kneesInverted(points),
+    popping: null,
+    poppingOwn: null,
+    jerk: null,
+    balance: balance.near,
+    balanceWithin50mm: balance.wide,
+    missedPlants: null,
+  };
+}
+
+function runs(frames: number, on: (f: number) => boolean): [number, number][] {
+  const out: [number, number][] = [];
+  let from = -1;
+  for (let f = 0; f <= frames; f++) {
+    const is = f < frames && on(f);
+    if (is && from < 0) from = f;
+    if (!is && from >= 0) {
+      if (f - from > 2) out.push([from, f]);
+      from = -1;
+    }
+  }
+  return out;
+}
+
+/** Largest distance of hand, box or seat from its target at contact, mm. */
+function reachOf(points: MotionPoints, plan: Plan, goals: readonly TaskGoal[], skeleton: Skeleton): number | null {
+  let worst: number | null = null;
+  for (const t of plan.tasks) {
+    const goal = goals.find((g) => g.id === t.id);
+    if (!goal || t.clip < 0 || goal.category === "turn" || goal.category === "stand") continue;
+    const f = Math.max(0, Math.min(points.frames - 1, Math.round(t.contact * 60)));
+    const target = [goal.frame.x, goal.height, goal.frame.z];
+    const d = (x: number, y: number, z: number) => 1000 * Math.hypot(x - target[0], y - target[1], z - target[2]);
+    const palm = (side: number, k: number) => points.palms[6 * f + 3 * side + k];
+    let distance: number;
+    if (goal.category === "write") {
+      const side = goal.hand === "left" ? 0 : 1;
+      distance = d(palm(side, 0), palm(side, 1), palm(side, 2));
+    } else if (goal.category === "sit") {
+      const hip = (k: number) => (points.joints[3 * (JOINT_COUNT * f + J.leftUpperLeg) + k] + points.joints[3 * (JOINT_COUNT * f + J.rightUpperLeg) + k]) / 2;
+      distance = Number.POSITIVE_INFINITY;
+      // The seat is met by a point 60 to 120 mm under the hip joints.
+      for (let under = 0.06; under <= 0.1201; under += 0.01) {
+        const u = under * (skeleton.height / 1.75);
+        distance = Math.min(distance, d(hip(0) - u * points.up[3 * f], hip(1) - u * points.up[3 * f + 1], hip(2) - u * points.up[3 * f + 2]));
+      }
+    } else distance = d((palm(0, 0) + palm(1, 0)) / 2, (palm(0, 1) + palm(1, 1)) / 2, (palm(0, 2) + palm(1, 2)) / 2);
+    worst = Math.max(worst ?? 0, distance);
+  }
+  return worst;
+}
+
+/** Planned against executed footsteps: place (mm) of the ankle over flat soles, and nothing is taken off. */
+function footstepErrorOf(points: MotionPoints, plan: Plan): QualityFigures["footstepError"] {
+  let place = 0;
+  let yaw = 0;
+  let judged = 0;
+  plan.steps.forEach((s, i) => {
+    const side = s.foot === "left" ? 0 : 1;
+    const joint = side === 0 ? J.leftFoot : J.rightFoot;
+    const next = plan.steps.findIndex((n, k) => k > i && n.foot === s.foot);
+    const until = Math.min(points.frames - 1, Math.round((next >= 0 ? plan.steps[next].lift : plan.duration) * 60));
+    for (let f = Math.round(s.land * 60); f < until; f++) {
+      if (((points.contacts[f] >> (2 * side)) & 3) !== 3) continue;
+      const o = 3 * (JOINT_COUNT * f + joint);
+      const toe = o + 3;
+      // Flat: heel point and ball at one height.
+      if (Math.abs(points.soles[(2 * f + side) * ROW + 1]) > 2e-4) continue;
+      place = Math.max(place, 1000 * Math.hypot(points.joints[o] - s.x, points.joints[o + 2] - s.z));
+      const heading = Math.atan2(points.joints[toe] - points.joints[o], points.joints[toe + 2] - points.joints[o + 2]);
+      yaw = Math.max(yaw, Math.abs(Math.atan2(Math.sin(heading - s.yaw), Math.cos(heading - s.yaw))) * (180 / Math.PI));
+      judged++;
+      break;
+    }
+  });
+  return judged > 0 ? { position: place, yaw } : null;
+}
+
+/** Frames in which a knee bends backwards by more than 3 degrees. */
+function kneesInverted(points: MotionPoints): number {
+  let count = 0;
+  for (let f = 0; f < points.frames; f++) {
+    for (const upper of [J.leftUpperLeg, J.rightUpperLeg]) {
+      const j = (joint: number, k: number) => points.joints[3 * (JOINT_COUNT * f + joint) + k];
+      const side = upper === J.leftUpperLeg ? 0 : 1;
+      // Forward by the foot.
+      const fx = points.soles[(2 * f + side) * ROW + 3] - points.soles[(2 * f + side) * ROW];
+      const fz = points.soles[(2 * f + side) * ROW + 5] - points.soles[(2 * f + side) * ROW + 2];
+      const n = Math.hypot(fx, fz);
+      if (n < 0.05) continue;
+      const line = [0, 1, 2].map((k) => (j(upper, k) + j(upper + 2, k)) / 2);
+      const ahead = ((j(upper + 1, 0) - line[0]) * fx + (j(upper + 1, 2) - line[2]) * fz) / n;
+      if (ahead < -0.04) {
+        count++;
+        break;
+      }
+    }
+  }
+  return count;
+}
