@@ -1,0 +1,41 @@
+/** Pictograms, 18 px, drawn with strokes. */
+import { svg, type TemplateResult } from "lit";
+import { html } from "lit";
+import type { TaskCategory } from "../core/scene/task-types.ts";
+
+const icon = (body: TemplateResult): TemplateResult => html`<svg viewBox="0 0 18 18" aria-hidden="true">${body}</svg>`;
+
+export const ICONS = {
+  select: icon(svg`<path d="M4 3l9.5 4.6-4 1.5-1.6 4.2z" />`),
+  undo: icon(svg`<path d="M6 4L3 7l3 3M3 7h7a4 4 0 010 8H7" />`),
+  redo: icon(svg`<path d="M12 4l3 3-3 3M15 7H8a4 4 0 000 8h3" />`),
+  light: icon(svg`<circle cx="9" cy="9" r="3" /><path d="M9 2v1.5M9 14.5V16M2 9h1.5M14.5 9H16M4 4l1 1M13 13l1 1M14 4l-1 1M5 13l-1 1" />`),
+  dark: icon(svg`<path d="M15 10.5A6.5 6.5 0 017.5 3a6.5 6.5 0 107.5 7.5z" />`),
+  help: icon(svg`<circle cx="9" cy="9" r="6.5" /><path d="M7.2 7.2a1.9 1.9 0 113 1.5c-.8.5-1.2.8-1.2 1.6M9 12.6v.1" />`),
+  play: html`<svg viewBox="0 0 16 16" aria-hidden="true"><path d="M4 2.5v11l9-5.5z" /></svg>`,
+  pause: html`<svg viewBox="0 0 16 16" aria-hidden="true"><path d="M4 3h3v10H4zM9 3h3v10H9z" /></svg>`,
+  back: icon(svg`<path d="M12 4v10L6 9zM4.5 4v10" fill="currentColor" />`),
+  ahead: icon(svg`<path d="M6 4v10l6-5zM13.5 4v10" fill="currentColor" />`),
+  loop: icon(svg`<path d="M4 8V7a3 3 0 013-3h7m-2-2l2 2-2 2M14 10v1a3 3 0 01-3 3H4m2 2l-2-2 2-2" />`),
+  frame: icon(svg`<path d="M3 6V3h3M12 3h3v3M15 12v3h-3M6 15H3v-3" />`),
+  chevron: icon(svg`<path d="M5.5 7.5L9 11l3.5-3.5" />`),
+  copy: icon(svg`<rect x="6" y="6" width="9" height="9" rx="2" /><path d="M12 6V5a2 2 0 00-2-2H5a2 2 0 00-2 2v5a2 2 0 002 2h1" />`),
+};
+
+export const TASK_ICONS: Record<TaskCategory, TemplateResult> = {
+  write: icon(svg`<path d="M11.5 3.5l3 3L6.5 14.5 3 15l.5-3.5zM10 5l3 3" />`),
+  lift: icon(svg`<rect x="4.5" y="9" width="9" height="6" rx="1" /><path d="M9 7V2M6.5 4.5L9 2l2.5 2.5" />`),
+  place: icon(svg`<path d="M3 15h12M5 12h8V9.5M9 2v5M6.5 5L9 7.5 11.5 5M5 12V9.5" />`),
+  sit: icon(svg`<path d="M5 3v7h7v5M5 15v-5M12 10l2 5" />`),
+  stand: icon(svg`<circle cx="9" cy="3.6" r="1.6" /><path d="M9 6v5M6 8h6M9 11l-2.5 5M9 11l2.5 5" />`),
+  turn: icon(svg`<path d="M14 9a5 5 0 11-2-4M12.5 2v3.5H9" />`),
+};
+
+export const TASK_WORDS: Record<TaskCategory, string> = {
+  write: "Write",
+  lift: "Lift the box",
+  place: "Place the box",
+  sit: "Sit",
+  stand: "Stand",
+  turn: "Turn around",
+};

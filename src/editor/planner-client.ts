@@ -1,0 +1,77 @@
+/**
+ * The page's side of the planner worker: the newest scene wins, and a worker that dies is replaced.
+ */
+import type { Scene } from "../core/scene/types.ts";
+import type { PlannerRequest, PlannerResponse } from "../workers/protocol.ts";
+
+export interface PlannerClientEvents {
+  message(message: PlannerResponse): void;
+  /** The worker threw or died and was replaced; the newest scene has been sent again. */
+  restarted(): void;
+}
+
+/** Restarts in a row after which the worker is left alone. */
+const MOST_RESTARTS = 3;
+
+export class PlannerClient {
+  private worker: Worker | null = null;
+  private nextId = 1;
+  private newest: Extract<PlannerRequest, { type: "plan" }> | null = null;
+  private restarts = 0;
+  private ready = false;
+
+  constructor(
+    private readonly libraryUrl: string,
+    private readonly events: PlannerClientEvents,
+    private readonly create: () => Worker = () => new Worker(new URL("../workers/planner-worker.ts", import.meta.url), { type: "module" }),
+  ) {
+    this.start();
+  }
+
+  private start(): void {
+    this.ready = false;
+    const worker = this.create();
+    this.worker = worker;
+    worker.onmessage = (event: MessageEvent<PlannerResponse>) => {
+      const message = event.data;
+      if (message.type === "ready") {
+        this.ready = true;
+        if (this.newest) this.send(this.newest);
+      }
+      if (message.type === "finished") this.restarts = 0;
+      this.events.message(message);
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      this.restart();
+    };
+    this.send({ type: "load", url: this.libraryUrl });
+  }
+
+  /** Replaces the worker; the newest request is sent again once the library is loaded. */
+  restart(): void {
+    this.worker?.terminate();
+    if (this.restarts++ >= MOST_RESTARTS) {
+      this.events.message({ type: "failed", id: this.newest?.id ?? 0, message: "The planner stops each time it is started. Reload the page." });
+      return;
+    }
+    this.start();
+    this.events.restarted();
+  }
+
+  private send(request: PlannerRequest): void {
+    this.worker?.postMessage(request);
+  }
+
+  /** Asks for a plan; what was asked before is overtaken. @returns the request's id. */
+  plan(scene: Scene, now: number | null): number {
+    const id = this.nextId++;
+    this.newest = { type: "plan", id, scene, now, fromFrame: 0 };
+    if (this.ready) this.send(this.newest);
+    return id;
+  }
+
+  dispose(): void {
+    this.worker?.terminate();
+  }
+}

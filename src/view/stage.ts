@@ -1,0 +1,278 @@
+/**
+ * The three-dimensional stage: draws what it is told, when it is told, and answers where things are on screen.
+ *
+ * It plans nothing. Drawing is on demand: `invalidate()` asks for a frame, an idle stage costs nothing.
+ */
+import {
+  BufferGeometry,
+  Float32BufferAttribute,
+  Group,
+  Line,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  LineLoop,
+  NeutralToneMapping,
+  type Object3D,
+  PerspectiveCamera,
+  Plane,
+  Raycaster,
+  Scene as ThreeScene,
+  Vector2,
+  Vector3,
+  VSMShadowMap,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import type { BoxTrack, InkStroke } from "../core/motion/types.ts";
+import type { Scene } from "../core/scene/types.ts";
+import type { Skeleton } from "../core/skeleton/skeleton.ts";
+import type { CharacterMesh } from "./character/build-mesh.ts";
+import { Figure } from "./character/figure.ts";
+import { type Footprint, FootprintLayer, type FootprintMode } from "./footprints.ts";
+import { boxMesh, createProp } from "./props.ts";
+import { createRoom, type Room } from "./room.ts";
+import { ROOMS, type Theme } from "./tokens.ts";
+
+/** Free part of the viewport in CSS pixels: what panels leave. */
+export interface FreeRect {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+export class Stage {
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new ThreeScene();
+  readonly camera = new PerspectiveCamera(26, 1, 0.1, 60);
+  private readonly controls: OrbitControls;
+  private readonly room: Room;
+  private readonly footprints = new FootprintLayer();
+  private figure: Figure | null = null;
+  private readonly props = new Group();
+  private readonly taskMarks = new Group();
+  private readonly boxes = new Map<string, Object3D>();
+  private readonly inkLines = new Map<number, Line>();
+  private theme: Theme = "light";
+  private waiting = 0;
+  private free: FreeRect = { left: 0, top: 0, right: 0, bottom: 0 };
+  private size = { width: 1, height: 1 };
+  /** Called after each drawn frame, for what lies over the canvas. */
+  onDraw: () => void = () => undefined;
+
+  /** @throws Error when the browser has no WebGL 2. */
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = VSMShadowMap;
+    this.camera.position.set(-0.4, 3.75, -8.2);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.target.set(0, 0.62, 0.3);
+    this.controls.enableDamping = false;
+    this.controls.minDistance = 1.2;
+    this.controls.maxDistance = 14;
+    this.controls.minPolarAngle = (8 * Math.PI) / 180;
+    this.controls.maxPolarAngle = (80 * Math.PI) / 180;
+    this.controls.update();
+    this.controls.addEventListener("change", () => this.invalidate());
+    this.room = createRoom(this.scene, this.renderer);
+    this.scene.add(this.props, this.taskMarks, this.footprints.group);
+    this.setTheme("light");
+    canvas.addEventListener("webglcontextrestored", () => this.invalidate());
+    canvas.addEventListener("webglcontextlost", (e) => e.preventDefault());
+  }
+
+  setTheme(theme: Theme): void {
+    this.theme = theme;
+    this.renderer.toneMappingExposure = ROOMS[theme].exposure;
+    this.room.setTheme(theme);
+    this.footprints.setTheme(theme);
+    this.figure?.setTheme(theme);
+    this.invalidate();
+  }
+
+  /** Furniture of a scene and the rings under its tasks. */
+  setScene(scene: Scene, selected: string | null): void {
+    this.props.clear();
+    const lifted = scene.tasks.filter((t) => t.category === "lift");
+    for (const p of scene.props) {
+      // A box that a task lifts is drawn with the motion.
+      if (p.kind === "box" && lifted.some((t) => Math.hypot(t.position[0] - p.position[0], t.position[1] - p.position[1], t.position[2] - p.position[2]) < 0.35)) continue;
+      this.props.add(createProp(p));
+    }
+    for (const [id, o] of this.boxes) {
+      if (!lifted.some((t) => t.id === id)) {
+        this.scene.remove(o);
+        this.boxes.delete(id);
+      }
+    }
+    for (const t of lifted) {
+      let o = this.boxes.get(t.id);
+      if (!o) {
+        o = boxMesh([0.36, 0.26, 0.28]);
+        this.boxes.set(t.id, o);
+        this.scene.add(o);
+      }
+      o.position.set(...t.position);
+      o.rotation.set(0, t.yaw, 0);
+    }
+    this.taskMarks.clear();
+    const ink = ROOMS[this.theme].ink;
+    for (const t of scene.tasks) {
+      const stem = new Line(new BufferGeometry().setFromPoints([new Vector3(t.position[0], 0.004, t.position[2]), new Vector3(...t.position)]), new LineDashedMaterial({ color: ink, dashSize: 0.025, gapSize: 0.03, transparent: true, opacity: 0.5, depthTest: false }));
+      stem.computeLineDistances();
+      const ring = new LineLoop(new BufferGeometry().setFromPoints(Array.from({ length: 64 }, (_, i) => new Vector3(0.3 * Math.sin((i * Math.PI) / 32), 0, 0.3 * Math.cos((i * Math.PI) / 32)))), new LineBasicMaterial({ color: ink, transparent: true, opacity: t.id === selected ? 1 : 0.45 }));
+      ring.position.set(t.position[0], 0.006, t.position[2]);
+      this.taskMarks.add(stem, ring);
+    }
+    this.invalidate();
+  }
+
+  setCharacter(skeleton: Skeleton, mesh: CharacterMesh): void {
+    if (this.figure) {
+      this.scene.remove(this.figure.group);
+      this.figure.dispose();
+    }
+    this.figure = new Figure(skeleton, mesh);
+    this.figure.setTheme(this.theme);
+    this.scene.add(this.figure.group);
+    this.invalidate();
+  }
+
+  get hasCharacter(): boolean {
+    return this.figure !== null;
+  }
+
+  setPose(root: ArrayLike<number>, r: number, rotations: ArrayLike<number>, o: number): void {
+    this.figure?.setPose(root, r, rotations, o);
+    this.invalidate();
+  }
+
+  setFootprints(prints: Footprint[], mode: FootprintMode): void {
+    this.footprints.set(prints, mode);
+    this.invalidate();
+  }
+
+  setSelectedFootprint(index: number): void {
+    this.footprints.setSelected(index);
+    this.invalidate();
+  }
+
+  /** Boxes where the motion has them at a frame; those not carried then stay at the nearer end of their way. */
+  setBoxes(tracks: readonly BoxTrack[], frame: number): void {
+    for (const t of tracks) {
+      const o = this.boxes.get(t.lift);
+      if (!o) continue;
+      if (frame < t.first) continue;
+      const k = Math.min(t.frames - 1, frame - t.first);
+      const m = t.transforms;
+      o.position.set(m[7 * k], m[7 * k + 1], m[7 * k + 2]);
+      o.quaternion.set(m[7 * k + 3], m[7 * k + 4], m[7 * k + 5], m[7 * k + 6]);
+    }
+    this.invalidate();
+  }
+
+  /** Ink drawn up to a time. */
+  setInk(strokes: readonly InkStroke[], time: number): void {
+    strokes.forEach((s, i) => {
+      let line = this.inkLines.get(i);
+      if (!line || line.userData.stroke !== s) {
+        if (line) this.scene.remove(line);
+        const g = new BufferGeometry();
+        g.setAttribute("position", new Float32BufferAttribute(s.points, 3));
+        line = new Line(g, new LineBasicMaterial({ color: "#b5483a" }));
+        line.frustumCulled = false;
+        line.userData.stroke = s;
+        this.inkLines.set(i, line);
+        this.scene.add(line);
+      }
+      let n = 0;
+      while (n < s.times.length && s.times[n] <= time) n++;
+      line.geometry.setDrawRange(0, n);
+      line.visible = n > 1;
+    });
+    for (const [i, line] of this.inkLines) {
+      if (i < strokes.length) continue;
+      this.scene.remove(line);
+      this.inkLines.delete(i);
+    }
+    this.invalidate();
+  }
+
+  /** Where a world point is in CSS pixels of the canvas, and whether it is before the camera. */
+  project(x: number, y: number, z: number): { x: number; y: number; visible: boolean } {
+    const v = new Vector3(x, y, z).project(this.camera);
+    return { x: ((v.x + 1) / 2) * this.size.width, y: ((1 - v.y) / 2) * this.size.height, visible: v.z < 1 };
+  }
+
+  private ray(x: number, y: number): Raycaster {
+    const r = new Raycaster();
+    r.setFromCamera(new Vector2((x / this.size.width) * 2 - 1, 1 - (y / this.size.height) * 2), this.camera);
+    return r;
+  }
+
+  /** Where the ray through a canvas point meets the level at `height`; null when it does not within 40 m. */
+  levelPoint(x: number, y: number, height: number): [number, number] | null {
+    const hit = this.ray(x, y).ray.intersectPlane(new Plane(new Vector3(0, 1, 0), -height), new Vector3());
+    return hit && hit.distanceTo(this.camera.position) < 40 ? [hit.x, hit.z] : null;
+  }
+
+  /** Index of the footprint under a canvas point; -1 for none. */
+  pickFootprint(x: number, y: number): number {
+    const hits = this.ray(x, y).intersectObject(this.footprints.fill, false);
+    return hits[0]?.instanceId ?? -1;
+  }
+
+  setOrbit(enabled: boolean): void {
+    this.controls.enabled = enabled;
+  }
+
+  /** Frames points inside the free part of the viewport. */
+  frame(points: readonly (readonly [number, number, number])[]): void {
+    if (points.length === 0) return;
+    const c = new Vector3();
+    for (const p of points) c.add(new Vector3(p[0], 0.62, p[2]));
+    c.multiplyScalar(1 / points.length);
+    let reach = 1.6;
+    for (const p of points) reach = Math.max(reach, Math.hypot(p[0] - c.x, p[2] - c.z) + 0.7);
+    const direction = this.camera.position.clone().sub(this.controls.target).normalize();
+    const aspect = Math.max(0.5, (this.size.width - this.free.left - this.free.right) / Math.max(1, this.size.height - this.free.top - this.free.bottom));
+    const distance = (reach * 1.12) / Math.tan((this.camera.fov * Math.PI) / 360) / Math.min(1.45, aspect);
+    this.controls.target.copy(c);
+    this.camera.position.copy(c).addScaledVector(direction, Math.max(3, Math.min(13, distance)));
+    this.controls.update();
+    this.invalidate();
+  }
+
+  resize(width: number, height: number, free: FreeRect): void {
+    this.size = { width: Math.max(1, width), height: Math.max(1, height) };
+    this.free = free;
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
+    this.renderer.setSize(this.size.width, this.size.height, false);
+    this.camera.aspect = this.size.width / this.size.height;
+    // The middle of the picture is the middle of the free part.
+    this.camera.setViewOffset(this.size.width, this.size.height, (free.right - free.left) / 2, (free.bottom - free.top) / 2, this.size.width, this.size.height);
+    this.camera.updateProjectionMatrix();
+    this.invalidate();
+  }
+
+  /** Asks for a frame. */
+  invalidate(): void {
+    if (this.waiting) return;
+    this.waiting = requestAnimationFrame(() => {
+      this.waiting = 0;
+      this.renderer.render(this.scene, this.camera);
+      this.onDraw();
+    });
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.waiting);
+    this.controls.dispose();
+    this.room.dispose();
+    this.figure?.dispose();
+    this.renderer.dispose();
+    this.canvas.remove();
+  }
+}

@@ -1,0 +1,11 @@
+import { defineConfig } from "vite";
+import { shippedLibrary } from "./src/cli/library-plugin.ts";
+
+export default defineConfig({
+  base: "./",
+  plugins: [shippedLibrary()],
+  worker: { format: "es" },
+  server: { port: 5173 },
+  preview: { port: 4173 },
+  build: { target: "es2022", outDir: "dist/site", chunkSizeWarningLimit: 1200 },
+});
