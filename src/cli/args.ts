@@ -16,7 +16,10 @@ export interface Options {
  * @param known names of options and whether they take values.
  * @throws UsageError for an unknown option or a missing value.
  */
-export function readOptions(args: readonly string[], known: Record<string, "flag" | "one" | "many">): Options {
+export function readOptions(
+  args: readonly string[],
+  known: Record<string, "flag" | "one" | "many">,
+): Options {
   const out: Options = { words: [], values: new Map() };
   let open: string | null = null;
   for (const a of args) {

@@ -18,7 +18,10 @@ function newest(folder) {
 /** The built module's URL; says on standard error when it has to build. */
 export async function built(entry, name, folders) {
   const out = join(root, "dist", "cli", `${name}.mjs`);
-  const sources = Math.max(...folders.map((f) => newest(join(root, f))), statSync(join(root, "package.json")).mtimeMs);
+  const sources = Math.max(
+    ...folders.map((f) => newest(join(root, f))),
+    statSync(join(root, "package.json")).mtimeMs,
+  );
   if (!existsSync(out) || statSync(out).mtimeMs < sources) {
     console.error(`stepwright: building ${name} ...`);
     const { build } = await import("vite");

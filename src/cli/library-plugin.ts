@@ -23,11 +23,25 @@ function digest(folders: readonly string[]): string {
 
 /** The library's bytes are made once for each state of the studio and the core. */
 export async function ensureLibrary(): Promise<void> {
-  const now = digest(["src/studio", "src/core/capture", "src/core/contacts", "src/core/steps", "src/core/templates", "src/core/motion", "src/core/ik", "src/core/math", "src/core/skeleton"]);
+  const now = digest([
+    "src/studio",
+    "src/core/capture",
+    "src/core/contacts",
+    "src/core/steps",
+    "src/core/templates",
+    "src/core/motion",
+    "src/core/ik",
+    "src/core/math",
+    "src/core/skeleton",
+  ]);
   if (existsSync(OUT) && existsSync(NOTE) && readFileSync(NOTE, "utf8") === now) return;
   console.error("stepwright: making the captures and their library ...");
-  const { built } = (await import(pathToFileURL(resolve("src/cli/build.mjs")).href)) as { built(entry: string, name: string, folders: string[]): Promise<string> };
-  const { main } = (await import(await built("src/cli/main.ts", "cli", ["src/cli", "src/core", "src/studio"]))) as { main(args: string[]): Promise<number> };
+  const { built } = (await import(pathToFileURL(resolve("src/cli/build.mjs")).href)) as {
+    built(entry: string, name: string, folders: string[]): Promise<string>;
+  };
+  const { main } = (await import(
+    await built("src/cli/main.ts", "cli", ["src/cli", "src/core", "src/studio"])
+  )) as { main(args: string[]): Promise<number> };
   mkdirSync("public/generated", { recursive: true });
   const code = await main(["library", "--out", OUT]);
   if (code !== 0) throw new Error("stepwright: the library could not be made.");

@@ -21,7 +21,8 @@ const COMMANDS: Record<string, Command> = {
   plan: planCommand,
 };
 
-const usage = (): string => ["stepwright COMMAND ...", ...Object.values(COMMANDS).map((c) => `  ${c.usage}`)].join("\n");
+const usage = (): string =>
+  ["stepwright COMMAND ...", ...Object.values(COMMANDS).map((c) => `  ${c.usage}`)].join("\n");
 
 /** Runs a command line. @returns the exit code: 0 done, 1 bad input, 2 wrong usage. */
 export async function main(args: string[]): Promise<number> {

@@ -1,8 +1,8 @@
 /** Reading inputs, with errors that name the file. */
 import { readFileSync } from "node:fs";
-import { importBvh, type ImportResult } from "../core/capture/import.ts";
-import { parseSidecar } from "../core/capture/sidecar-file.ts";
+import { type ImportResult, importBvh } from "../core/capture/import.ts";
 import type { Sidecar } from "../core/capture/sidecar.ts";
+import { parseSidecar } from "../core/capture/sidecar-file.ts";
 
 /** A file's text. @throws Error "F: could not be read: ..." */
 export function readText(path: string): string {

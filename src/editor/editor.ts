@@ -7,11 +7,11 @@ import { writeBvh } from "../core/capture/bvh-write.ts";
 import * as commands from "../core/scene/commands.ts";
 import { History } from "../core/scene/history.ts";
 import { resultDocument } from "../core/scene/result.ts";
-import { readScene, parseScene, serializeScene } from "../core/scene/schema.ts";
+import { parseScene, readScene, serializeScene } from "../core/scene/schema.ts";
 import type { TaskCategory } from "../core/scene/task-types.ts";
 import type { Scene } from "../core/scene/types.ts";
-import { createSkeleton } from "../core/skeleton/skeleton.ts";
 import { JOINT_COUNT } from "../core/skeleton/joints.ts";
+import { createSkeleton } from "../core/skeleton/skeleton.ts";
 import type { Footprint } from "../view/footprints.ts";
 import { Stage } from "../view/stage.ts";
 import type { MeshRequest, MeshResponse } from "../workers/mesh-worker.ts";
@@ -133,7 +133,10 @@ export class Editor {
 
   frameScene(): void {
     const { scene } = this.store.getState();
-    this.stage.frame([[scene.start.position[0], 0, scene.start.position[1]], ...scene.tasks.map((t): [number, number, number] => t.position)]);
+    this.stage.frame([
+      [scene.start.position[0], 0, scene.start.position[1]],
+      ...scene.tasks.map((t): [number, number, number] => t.position),
+    ]);
   }
 
   private drawFootprints(): void {
@@ -141,12 +144,23 @@ export class Editor {
     const { plan, time } = s;
     if (!plan) return;
     const at = new Map<number, { x: number; z: number; yaw: number }>();
-    if (s.showBefore) for (const t of plan.traces) t.before.forEach((b, k) => at.set(t.first + k, b));
+    if (s.showBefore) for (const t of plan.traces) for (const [k, b] of t.before.entries()) at.set(t.first + k, b);
     const prints: Footprint[] = [
-      ...plan.start.map((f): Footprint => ({ ...f, category: null, phase: null, state: time > 0.5 ? "past" : "now" })),
+      ...plan.start.map(
+        (f): Footprint => ({ ...f, category: null, phase: null, state: time > 0.5 ? "past" : "now" }),
+      ),
       ...plan.steps.map((p, i): Footprint => {
         const place = at.get(i) ?? p;
-        return { foot: p.foot, x: place.x, y: p.y, z: place.z, yaw: place.yaw, category: p.category, phase: p.phase, state: p.land < time - 0.9 ? "past" : p.land <= time ? "now" : "next" };
+        return {
+          foot: p.foot,
+          x: place.x,
+          y: p.y,
+          z: place.z,
+          yaw: place.yaw,
+          category: p.category,
+          phase: p.phase,
+          state: p.land < time - 0.9 ? "past" : p.land <= time ? "now" : "next",
+        };
       }),
     ];
     this.stage.setFootprints(prints, s.colouring);
@@ -502,7 +516,14 @@ export class Editor {
       return;
     }
     const { height, proportions } = this.history.scene.character;
-    const clip = { name: "scene", skeleton: createSkeleton(height, proportions), rate: 60, frames: m.frames, root: Float64Array.from(m.root), rotations: Float64Array.from(m.rotations) };
+    const clip = {
+      name: "scene",
+      skeleton: createSkeleton(height, proportions),
+      rate: 60,
+      frames: m.frames,
+      root: Float64Array.from(m.root),
+      rotations: Float64Array.from(m.rotations),
+    };
     download("motion.bvh", writeBvh(clip), "text/plain");
   }
 
@@ -514,7 +535,11 @@ export class Editor {
       this.fail("The motion is not finished yet.");
       return;
     }
-    download("result.json", `${JSON.stringify(resultDocument(s.scene, s.plan, m.contacts, s.quality))}\n`, "application/json");
+    download(
+      "result.json",
+      `${JSON.stringify(resultDocument(s.scene, s.plan, m.contacts, s.quality))}\n`,
+      "application/json",
+    );
   }
 
   exportPicture(): void {
@@ -583,4 +608,3 @@ export class Editor {
     this.planner.restart();
   }
 }
-

@@ -1,17 +1,21 @@
 /** Pictograms, 18 px, drawn with strokes. */
-import { svg, type TemplateResult } from "lit";
-import { html } from "lit";
+import { html, svg, type TemplateResult } from "lit";
 import type { TaskCategory } from "../core/scene/task-types.ts";
 
-const icon = (body: TemplateResult): TemplateResult => html`<svg viewBox="0 0 18 18" aria-hidden="true">${body}</svg>`;
+const icon = (body: TemplateResult): TemplateResult =>
+  html`<svg viewBox="0 0 18 18" aria-hidden="true">${body}</svg>`;
 
 export const ICONS = {
   select: icon(svg`<path d="M4 3l9.5 4.6-4 1.5-1.6 4.2z" />`),
   undo: icon(svg`<path d="M6 4L3 7l3 3M3 7h7a4 4 0 010 8H7" />`),
   redo: icon(svg`<path d="M12 4l3 3-3 3M15 7H8a4 4 0 000 8h3" />`),
-  light: icon(svg`<circle cx="9" cy="9" r="3" /><path d="M9 2v1.5M9 14.5V16M2 9h1.5M14.5 9H16M4 4l1 1M13 13l1 1M14 4l-1 1M5 13l-1 1" />`),
+  light: icon(
+    svg`<circle cx="9" cy="9" r="3" /><path d="M9 2v1.5M9 14.5V16M2 9h1.5M14.5 9H16M4 4l1 1M13 13l1 1M14 4l-1 1M5 13l-1 1" />`,
+  ),
   dark: icon(svg`<path d="M15 10.5A6.5 6.5 0 017.5 3a6.5 6.5 0 107.5 7.5z" />`),
-  help: icon(svg`<circle cx="9" cy="9" r="6.5" /><path d="M7.2 7.2a1.9 1.9 0 113 1.5c-.8.5-1.2.8-1.2 1.6M9 12.6v.1" />`),
+  help: icon(
+    svg`<circle cx="9" cy="9" r="6.5" /><path d="M7.2 7.2a1.9 1.9 0 113 1.5c-.8.5-1.2.8-1.2 1.6M9 12.6v.1" />`,
+  ),
   play: html`<svg viewBox="0 0 16 16" aria-hidden="true"><path d="M4 2.5v11l9-5.5z" /></svg>`,
   pause: html`<svg viewBox="0 0 16 16" aria-hidden="true"><path d="M4 3h3v10H4zM9 3h3v10H9z" /></svg>`,
   back: icon(svg`<path d="M12 4v10L6 9zM4.5 4v10" fill="currentColor" />`),
@@ -19,7 +23,9 @@ export const ICONS = {
   loop: icon(svg`<path d="M4 8V7a3 3 0 013-3h7m-2-2l2 2-2 2M14 10v1a3 3 0 01-3 3H4m2 2l-2-2 2-2" />`),
   frame: icon(svg`<path d="M3 6V3h3M12 3h3v3M15 12v3h-3M6 15H3v-3" />`),
   chevron: icon(svg`<path d="M5.5 7.5L9 11l3.5-3.5" />`),
-  copy: icon(svg`<rect x="6" y="6" width="9" height="9" rx="2" /><path d="M12 6V5a2 2 0 00-2-2H5a2 2 0 00-2 2v5a2 2 0 002 2h1" />`),
+  copy: icon(
+    svg`<rect x="6" y="6" width="9" height="9" rx="2" /><path d="M12 6V5a2 2 0 00-2-2H5a2 2 0 00-2 2v5a2 2 0 002 2h1" />`,
+  ),
 };
 
 export const TASK_ICONS: Record<TaskCategory, TemplateResult> = {

@@ -30,7 +30,18 @@ async function start(): Promise<void> {
   const dark = matchMedia("(prefers-color-scheme: dark)").matches;
   let editor: Editor;
   try {
-    editor = new Editor({ top: find(".top-bar"), viewport, panel: find(".panel"), timeline: find(".timeline"), live: find("#live"), canvas: find("#stage") }, scene, dark ? "dark" : "light");
+    editor = new Editor(
+      {
+        top: find(".top-bar"),
+        viewport,
+        panel: find(".panel"),
+        timeline: find(".timeline"),
+        live: find("#live"),
+        canvas: find("#stage"),
+      },
+      scene,
+      dark ? "dark" : "light",
+    );
   } catch (error) {
     viewport.textContent = `This browser cannot draw the room: WebGL 2 is needed. (${error instanceof Error ? error.message : String(error)})`;
     return;
@@ -45,7 +56,10 @@ async function start(): Promise<void> {
   window.stepwright = {
     log: () => editor.log,
     state: () => editor.store.getState(),
-    frames: () => (editor.motion.current ? { current: editor.motion.current.frames, filled: editor.motion.current.filled } : null),
+    frames: () =>
+      editor.motion.current
+        ? { current: editor.motion.current.frames, filled: editor.motion.current.filled }
+        : null,
     foot: (frame) => {
       const m = editor.motion.current;
       return m && frame < m.filled ? [...m.root.subarray(3 * frame, 3 * frame + 3), m.contacts[frame]] : null;

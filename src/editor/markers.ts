@@ -45,7 +45,9 @@ export class Markers {
     const t = tasks.find((x) => x.id === (this.drag?.id ?? this.hovered));
     if (!t) return nothing;
     const at = this.editor.stage.project(t.position[0], Math.max(0.05, t.position[1]), t.position[2]);
-    const style = styleMap({ transform: `translate(${Math.round(at.x + 26)}px, ${Math.round(at.y - 12)}px)` });
+    const style = styleMap({
+      transform: `translate(${Math.round(at.x + 26)}px, ${Math.round(at.y - 12)}px)`,
+    });
     return this.drag
       ? html`<div class="tip" style=${style}>${this.drag.text}</div>`
       : html`<div class="tip" style=${style}>${TASK_WORDS[t.category]}. Drag to move<i>R turns</i></div>`;
@@ -56,7 +58,11 @@ export class Markers {
     const y = Math.max(0.05, t.position[1]);
     const at = stage.project(t.position[0], y, t.position[2]);
     // The tick stands on the side the character faces, as it is seen.
-    const ahead = stage.project(t.position[0] + 0.2 * Math.sin(t.yaw), y, t.position[2] + 0.2 * Math.cos(t.yaw));
+    const ahead = stage.project(
+      t.position[0] + 0.2 * Math.sin(t.yaw),
+      y,
+      t.position[2] + 0.2 * Math.cos(t.yaw),
+    );
     const angle = Math.atan2(ahead.x - at.x, at.y - ahead.y);
     return html`<button
       class="marker ${selected ? "selected" : ""} ${this.drag?.id === t.id ? "dragging" : ""}"
@@ -95,14 +101,14 @@ export class Markers {
       window.removeEventListener("pointermove", move);
       window.removeEventListener("pointerup", up);
       window.removeEventListener("pointercancel", cancel);
-      window.removeEventListener("keydown", escape, true);
+      window.removeEventListener("keydown", bail, true);
       this.drag = null;
       this.editor.endGesture(commit);
       this.draw();
     };
     const up = () => end(true);
     const cancel = () => end(false);
-    const escape = (k: KeyboardEvent) => {
+    const bail = (k: KeyboardEvent) => {
       if (k.key !== "Escape") return;
       k.stopPropagation();
       end(false);
@@ -110,7 +116,7 @@ export class Markers {
     window.addEventListener("pointermove", move);
     window.addEventListener("pointerup", up);
     window.addEventListener("pointercancel", cancel);
-    window.addEventListener("keydown", escape, true);
+    window.addEventListener("keydown", bail, true);
   }
 
   private point(e: PointerEvent, height: number): [number, number] | null {
@@ -126,7 +132,11 @@ export class Markers {
     const [x, y, z] = d.from.position;
     if (d.kind === "move") {
       const clamp = (v: number) => Math.max(-20, Math.min(20, v));
-      const to: [number, number, number] = [clamp(x + point[0] - d.origin[0]), y, clamp(z + point[1] - d.origin[1])];
+      const to: [number, number, number] = [
+        clamp(x + point[0] - d.origin[0]),
+        y,
+        clamp(z + point[1] - d.origin[1]),
+      ];
       d.text = `${Math.hypot(to[0] - x, to[2] - z).toFixed(2)} m`;
       this.editor.edit((scene, c) => c.placeTask(scene, d.id, to, d.from.yaw));
     } else {
@@ -139,15 +149,29 @@ export class Markers {
 
   private key(e: KeyboardEvent, t: SceneTask): void {
     const step = e.altKey ? 0.01 : e.shiftKey ? 0.25 : 0.05;
-    const away: Record<string, [number, number]> = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [1, 0], ArrowRight: [-1, 0] };
+    const away: Record<string, [number, number]> = {
+      ArrowUp: [0, 1],
+      ArrowDown: [0, -1],
+      ArrowLeft: [1, 0],
+      ArrowRight: [-1, 0],
+    };
     const nudge = away[e.key];
     if (nudge) {
       e.preventDefault();
       e.stopPropagation();
-      this.editor.edit((scene, c) => c.placeTask(scene, t.id, [t.position[0] + nudge[0] * step, t.position[1], t.position[2] + nudge[1] * step], t.yaw));
+      this.editor.edit((scene, c) =>
+        c.placeTask(
+          scene,
+          t.id,
+          [t.position[0] + nudge[0] * step, t.position[1], t.position[2] + nudge[1] * step],
+          t.yaw,
+        ),
+      );
     } else if (e.key === "r" || e.key === "R") {
       e.stopPropagation();
-      this.editor.edit((scene, c) => c.placeTask(scene, t.id, t.position, t.yaw + ((e.shiftKey ? -1 : 1) * Math.PI) / 12));
+      this.editor.edit((scene, c) =>
+        c.placeTask(scene, t.id, t.position, t.yaw + ((e.shiftKey ? -1 : 1) * Math.PI) / 12),
+      );
     } else if (e.key === "Enter") this.editor.select(t.id, true);
   }
 }

@@ -23,7 +23,8 @@ export class PlannerClient {
   constructor(
     private readonly libraryUrl: string,
     private readonly events: PlannerClientEvents,
-    private readonly create: () => Worker = () => new Worker(new URL("../workers/planner-worker.ts", import.meta.url), { type: "module" }),
+    private readonly create: () => Worker = () =>
+      new Worker(new URL("../workers/planner-worker.ts", import.meta.url), { type: "module" }),
   ) {
     this.start();
   }
@@ -52,7 +53,11 @@ export class PlannerClient {
   restart(): void {
     this.worker?.terminate();
     if (this.restarts++ >= MOST_RESTARTS) {
-      this.events.message({ type: "failed", id: this.newest?.id ?? 0, message: "The planner stops each time it is started. Reload the page." });
+      this.events.message({
+        type: "failed",
+        id: this.newest?.id ?? 0,
+        message: "The planner stops each time it is started. Reload the page.",
+      });
       return;
     }
     this.start();

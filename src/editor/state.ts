@@ -1,8 +1,8 @@
 /** The editor's state: one store; the scene itself lives in its history. */
 import { createStore } from "zustand/vanilla";
 import type { QualityFigures } from "../core/motion/types.ts";
-import type { Scene } from "../core/scene/types.ts";
 import type { TaskCategory } from "../core/scene/task-types.ts";
+import type { Scene } from "../core/scene/types.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
 import type { FootprintMode } from "../view/footprints.ts";
 import type { Theme } from "../view/tokens.ts";

@@ -31,23 +31,34 @@ export function objectivePlot(d: ObjectiveData, width = 272, height = 148): stri
   const x = scaleLinear([0, n], [left, width - right]);
   const most = max(d.rows, (r) => max(r) ?? 0) ?? 1;
   const y = scaleLinear([0, most || 1], [height - bottom, top]).nice(3);
-  const path = line<number>((_, i) => x(i), (v) => y(v));
+  const path = line<number>(
+    (_, i) => x(i),
+    (v) => y(v),
+  );
   const out: string[] = [];
   for (const t of y.ticks(3)) {
-    out.push(`<line class="axis" x1="${left}" x2="${width - right}" y1="${y(t)}" y2="${y(t)}"/><text x="${left - 6}" y="${y(t) + 4}" text-anchor="end">${t}</text>`);
+    out.push(
+      `<line class="axis" x1="${left}" x2="${width - right}" y1="${y(t)}" y2="${y(t)}"/><text x="${left - 6}" y="${y(t) + 4}" text-anchor="end">${t}</text>`,
+    );
   }
-  for (const t of x.ticks(3).filter(Number.isInteger)) out.push(`<text x="${x(t)}" y="${height - 4}" text-anchor="middle">${t}</text>`);
+  for (const t of x.ticks(3).filter(Number.isInteger))
+    out.push(`<text x="${x(t)}" y="${height - 4}" text-anchor="middle">${t}</text>`);
   const ends: { name: string; y: number; k: number }[] = [];
   d.names.forEach((name, k) => {
     const values = d.rows.map((r) => r[k]);
     if (k > 0 && (max(values) ?? 0) < 1e-9) return;
-    out.push(`<path d="${path(values) ?? ""}" fill="none" stroke="currentColor" stroke-width="${k === 0 ? 2.2 : 1.1}" stroke-dasharray="${DASHES[k]}" opacity="${k === 0 ? 1 : 0.75}"/>`);
+    out.push(
+      `<path d="${path(values) ?? ""}" fill="none" stroke="currentColor" stroke-width="${k === 0 ? 2.2 : 1.1}" stroke-dasharray="${DASHES[k]}" opacity="${k === 0 ? 1 : 0.75}"/>`,
+    );
     ends.push({ name, y: y(values[values.length - 1]), k });
   });
   // Names at the lines' ends, kept 12 px apart.
   ends.sort((a, b) => a.y - b.y);
   for (let i = 1; i < ends.length; i++) ends[i].y = Math.max(ends[i].y, ends[i - 1].y + 12);
   const over = (ends[ends.length - 1]?.y ?? 0) - (height - bottom);
-  for (const e of ends) out.push(`<text class="${e.k === 0 ? "strong" : ""}" x="${width - right + 6}" y="${e.y - Math.max(0, over) + 4}">${e.name}</text>`);
+  for (const e of ends)
+    out.push(
+      `<text class="${e.k === 0 ? "strong" : ""}" x="${width - right + 6}" y="${e.y - Math.max(0, over) + 4}">${e.name}</text>`,
+    );
   return `<svg class="plot" viewBox="0 0 ${width} ${height}" role="img" aria-label="${objectiveFinding(d)}">${out.join("")}</svg>`;
 }

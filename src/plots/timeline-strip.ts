@@ -23,7 +23,7 @@ export interface StripData {
 }
 
 export const STRIP_LEFT = 58;
-const escape = (s: string): string => s.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
+const safe = (s: string): string => s.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 
 /** Time to pixels of a strip `width` wide. */
 export function stripScale(duration: number, width: number) {
@@ -38,14 +38,16 @@ export function timelineStrip(d: StripData, width: number, height: number): stri
   const y0 = 52;
   const every = [0.5, 1, 2, 5, 10, 20, 60].find((s) => x(s) - x(0) > 44) ?? 120;
   for (let t = 0; t <= d.duration + 1e-6; t += every) {
-    out.push(`<line x1="${x(t).toFixed(1)}" x2="${x(t).toFixed(1)}" y1="16" y2="${height}" stroke="var(--line)"/><text x="${(x(t) + 3).toFixed(1)}" y="11">${t} s</text>`);
+    out.push(
+      `<line x1="${x(t).toFixed(1)}" x2="${x(t).toFixed(1)}" y1="16" y2="${height}" stroke="var(--line)"/><text x="${(x(t) + 3).toFixed(1)}" y="11">${t} s</text>`,
+    );
   }
   out.push(`<text x="0" y="34">Tasks</text>`);
   d.tasks.forEach((t) => {
     const a = x(t.contact);
     const w = Math.max(10, x(t.end) - a);
     out.push(
-      `<g role="button" tabindex="0" data-task="${escape(t.id)}" aria-label="${escape(t.word)}, ${t.contact.toFixed(2)} to ${t.end.toFixed(2)} s"><rect x="${a.toFixed(1)}" y="20" width="${w.toFixed(1)}" height="21" rx="6" fill="${t.selected ? "var(--ink)" : "var(--well)"}"/>${w > 46 ? `<text x="${(a + 8).toFixed(1)}" y="34" style="fill:${t.selected ? "var(--on)" : "var(--ink)"}">${escape(t.word)}</text>` : ""}</g>`,
+      `<g role="button" tabindex="0" data-task="${safe(t.id)}" aria-label="${safe(t.word)}, ${t.contact.toFixed(2)} to ${t.end.toFixed(2)} s"><rect x="${a.toFixed(1)}" y="20" width="${w.toFixed(1)}" height="21" rx="6" fill="${t.selected ? "var(--ink)" : "var(--well)"}"/>${w > 46 ? `<text x="${(a + 8).toFixed(1)}" y="34" style="fill:${t.selected ? "var(--on)" : "var(--ink)"}">${safe(t.word)}</text>` : ""}</g>`,
     );
   });
   (["left", "right"] as const).forEach((foot, side) => {
@@ -71,7 +73,9 @@ export function timelineStrip(d: StripData, width: number, height: number): stri
           for (const s of own) if (s.land <= middle + 0.02) step = s;
           const c = step ? d.colours[step.category] : { fill: "var(--well)", mark: "var(--ink-3)", code: "" };
           const past = f / 60 < d.time;
-          const label = step ? `${foot === "left" ? "Left" : "Right"}, ${d.words[step.category].toLowerCase()}, ${step.lift.toFixed(2)} to ${step.land.toFixed(2)} s` : "";
+          const label = step
+            ? `${foot === "left" ? "Left" : "Right"}, ${d.words[step.category].toLowerCase()}, ${step.lift.toFixed(2)} to ${step.land.toFixed(2)} s`
+            : "";
           out.push(
             `<g ${row === 0 && step ? `role="button" tabindex="-1" data-step="${step.index}" aria-label="${label}"` : ""} opacity="${past ? 0.45 : 1}"><rect x="${a.toFixed(1)}" y="${(top + row * (bar + 2)).toFixed(1)}" width="${w.toFixed(1)}" height="${bar.toFixed(1)}" rx="4" fill="${c.fill}" stroke="${step && step.index === d.hover ? "var(--ink)" : "color-mix(in srgb, var(--ink) 55%, transparent)"}" stroke-width="${step && step.index === d.hover ? 2 : 0.8}"/>${row === 0 && w >= 22 && step ? `<text class="bar-text" x="${(a + w / 2).toFixed(1)}" y="${(top + bar - 3).toFixed(1)}" text-anchor="middle" style="fill:${c.mark}">${c.code}</text>` : ""}</g>`,
           );

@@ -37,6 +37,8 @@ export interface Rendered {
   sidecar: Sidecar;
 }
 
+/** Largest error of the zero-moment point that a round answers, metres. */
+const MOST_CORRECTION = 0.09;
 /** Rounds of correcting the pelvis by the whole body's zero-moment point. */
 const ROUNDS = 4;
 const LEAST_KNEE = (3.5 * Math.PI) / 180;
@@ -46,7 +48,10 @@ const Q = 4 * JOINT_COUNT;
 export function renderScore(score: Score): Rendered {
   const skeleton = createSkeleton(score.actor.height, score.actor.proportions);
   const frames = Math.max(2, Math.ceil(score.duration * CLIP_RATE) + 1);
-  const feet: [FootTrack, FootTrack] = [renderFoot(score, "left", skeleton, frames), renderFoot(score, "right", skeleton, frames)];
+  const feet: [FootTrack, FootTrack] = [
+    renderFoot(score, "left", skeleton, frames),
+    renderFoot(score, "right", skeleton, frames),
+  ];
   const gait = renderGait(score, skeleton.legLength, frames);
   const body = renderBody(score, feet, gait, skeleton, frames);
   const tasks = createTaskLayer(frames);
@@ -75,10 +80,14 @@ export function renderScore(score: Score): Rendered {
     if (round === ROUNDS) break;
     const load = tasks.load.share.some((s) => s > 0) ? tasks.load : null;
     const q = zeroMomentPoint(positions, JOINT_COUNT, frames, centre, load);
-    for (let k = 0; k < q.length; k++) q[k] = pressure.point[k] - q[k];
+    // A leg out of reach throws its zero-moment point far off: one round believes a hand's breadth at most.
+    for (let k = 0; k < q.length; k++) q[k] = Math.max(-MOST_CORRECTION, Math.min(MOST_CORRECTION, pressure.point[k] - q[k]));
     for (let f = 0; f < frames; f++) if (tasks.pins.pinned[f]) q[2 * f] = q[2 * f + 1] = 0;
     gaussian(q, 2, 2);
-    const correction = pendulum(q, height, { pinned: tasks.pins.pinned, place: new Float64Array(2 * frames) });
+    const correction = pendulum(q, height, {
+      pinned: tasks.pins.pinned,
+      place: new Float64Array(2 * frames),
+    });
     smoothJoins(correction, tasks.pins.pinned);
     for (let k = 0; k < way.length; k++) way[k] += correction[k];
   }
@@ -89,7 +98,13 @@ export function renderScore(score: Score): Rendered {
 }
 
 /** Seated frames: the hips over the seat, tipping about the point that the seat carries. */
-function pinSeats(score: Score, body: BodyAngles, tasks: TaskLayer, skeleton: Skeleton, frames: number): void {
+function pinSeats(
+  score: Score,
+  body: BodyAngles,
+  tasks: TaskLayer,
+  skeleton: Skeleton,
+  frames: number,
+): void {
   const over = SEAT_UNDER_HIPS * (skeleton.height / 1.75);
   const drop = -skeleton.offsets[3 * J.leftUpperLeg + 1];
   const up = new Float64Array(4);
@@ -98,7 +113,13 @@ function pinSeats(score: Score, body: BodyAngles, tasks: TaskLayer, skeleton: Sk
     if (event.type !== "sit") continue;
     const { task } = event;
     for (let f = 0; f < frames; f++) {
-      if (!tasks.pins.pinned[f] || Math.abs(tasks.pins.place[2 * f] - task.position[0]) + Math.abs(tasks.pins.place[2 * f + 1] - task.position[2]) > 1e-9) continue;
+      if (
+        !tasks.pins.pinned[f] ||
+        Math.abs(tasks.pins.place[2 * f] - task.position[0]) +
+          Math.abs(tasks.pins.place[2 * f + 1] - task.position[2]) >
+          1e-9
+      )
+        continue;
       quatFromYawPitchRoll(up, 0, body.pelvisYaw[f], body.pelvisPitch[f], body.pelvisRoll[f]);
       quatRotate(v, 0, up, 0, 0, 1, 0);
       tasks.pins.place[2 * f] = task.position[0] + v[0] * (over + drop);
@@ -123,7 +144,8 @@ function gaussianWhere(track: Float64Array, pinned: Uint8Array): void {
     }
     if (near > 10) continue;
     const w = near <= 5 ? 1 : (10 - near) / 5;
-    for (let c = 0; c < stride; c++) track[stride * f + c] += w * (copy[stride * f + c] - track[stride * f + c]);
+    for (let c = 0; c < stride; c++)
+      track[stride * f + c] += w * (copy[stride * f + c] - track[stride * f + c]);
   }
 }
 
@@ -139,7 +161,13 @@ function trunkRotations(clip: Clip, body: BodyAngles, _skeleton: Skeleton): void
     const r = clip.rotations;
     quatFromYawPitchRoll(q, 0, body.pelvisYaw[f], body.pelvisPitch[f], body.pelvisRoll[f]);
     quatFromYawPitchRoll(q, 4, body.chestYaw[f], body.chestPitch[f], body.chestRoll[f]);
-    quatFromYawPitchRoll(q, 8, body.headYaw[f], body.headPitch[f] * 0.4 + body.chestPitch[f] * 0.35, body.headRoll[f]);
+    quatFromYawPitchRoll(
+      q,
+      8,
+      body.headYaw[f],
+      body.headPitch[f] * 0.4 + body.chestPitch[f] * 0.35,
+      body.headRoll[f],
+    );
     quatSlerp(q, 12, q, 0, q, 4, 0.3);
     quatSlerp(q, 16, q, 0, q, 4, 0.65);
     quatSlerp(q, 20, q, 4, q, 8, 0.45);
@@ -170,7 +198,13 @@ function trunkRotations(clip: Clip, body: BodyAngles, _skeleton: Skeleton): void
 }
 
 /** The hips' place: over the way of the mass, at the walk's height, lowered softly where a leg would not reach. */
-function placeHips(clip: Clip, way: Float64Array, body: BodyAngles, feet: readonly [FootTrack, FootTrack], skeleton: Skeleton): void {
+function placeHips(
+  clip: Clip,
+  way: Float64Array,
+  body: BodyAngles,
+  feet: readonly [FootTrack, FootTrack],
+  skeleton: Skeleton,
+): void {
   const o = skeleton.offsets;
   const thigh = -o[3 * J.leftLowerLeg + 1];
   const shank = -o[3 * J.leftFoot + 1];
@@ -196,7 +230,15 @@ function placeHips(clip: Clip, way: Float64Array, body: BodyAngles, feet: readon
 }
 
 /** Legs onto the feet, hands to their places; joints' places for the zero-moment point. */
-function closeBody(clip: Clip, feet: readonly [FootTrack, FootTrack], body: BodyAngles, tasks: TaskLayer, skeleton: Skeleton, all: Float64Array, last: boolean): void {
+function closeBody(
+  clip: Clip,
+  feet: readonly [FootTrack, FootTrack],
+  body: BodyAngles,
+  tasks: TaskLayer,
+  skeleton: Skeleton,
+  all: Float64Array,
+  last: boolean,
+): void {
   carryBox(clip, body, tasks, skeleton);
   handsOnBox(tasks, clip.frames);
   const positions = new Float64Array(3 * JOINT_COUNT);
@@ -217,12 +259,33 @@ function closeBody(clip: Clip, feet: readonly [FootTrack, FootTrack], body: Body
       // The knee points with the foot, half with the pelvis; a little outwards.
       const out = (side === 0 ? 1 : -1) * 0.05;
       const yaw = t.yaw[f] + out + wrapAngle(body.pelvisYaw[f] - t.yaw[f]) * 0.4;
-      solveLeg(pose, positions, world, J.hips, upper, skeleton.offsets, t.ankle[3 * f], t.ankle[3 * f + 1], t.ankle[3 * f + 2], Math.sin(yaw), 0.15, Math.cos(yaw));
+      solveLeg(
+        pose,
+        positions,
+        world,
+        J.hips,
+        upper,
+        skeleton.offsets,
+        t.ankle[3 * f],
+        t.ankle[3 * f + 1],
+        t.ankle[3 * f + 2],
+        Math.sin(yaw),
+        0.15,
+        Math.cos(yaw),
+      );
       quatFromYawPitchRoll(world, 4 * foot, t.yaw[f], -t.pitch[f], 0);
       quatInverseMultiply(pose, 4 * foot, world, 4 * (upper + 1), world, 4 * foot);
       quatFromAxisAngle(pose, 4 * (foot + 1), 1, 0, 0, -t.toeBend[f]);
       quatMultiply(world, 4 * (foot + 1), world, 4 * foot, pose, 4 * (foot + 1));
-      quatRotate(v, 0, world, 4 * foot, skeleton.offsets[3 * (foot + 1)], skeleton.offsets[3 * (foot + 1) + 1], skeleton.offsets[3 * (foot + 1) + 2]);
+      quatRotate(
+        v,
+        0,
+        world,
+        4 * foot,
+        skeleton.offsets[3 * (foot + 1)],
+        skeleton.offsets[3 * (foot + 1) + 1],
+        skeleton.offsets[3 * (foot + 1) + 2],
+      );
       for (let k = 0; k < 3; k++) positions[3 * (foot + 1) + k] = positions[3 * foot + k] + v[k];
     }
     reach(f, pose, positions, world, root, tasks, skeleton, v, q, place);
@@ -275,7 +338,22 @@ function reach(
     const upper = side === 0 ? J.leftUpperArm : J.rightUpperArm;
     const hand = upper + 2;
     quatRotate(v, 3, world, 4 * J.upperChest, sign * 0.55, -1, -0.25);
-    solveTwoBone(pose, 0, positions, world, upper - 1, upper, upper + 1, hand, skeleton.offsets, place[3 * side], place[3 * side + 1], place[3 * side + 2], v, 3);
+    solveTwoBone(
+      pose,
+      0,
+      positions,
+      world,
+      upper - 1,
+      upper,
+      upper + 1,
+      hand,
+      skeleton.offsets,
+      place[3 * side],
+      place[3 * side + 1],
+      place[3 * side + 2],
+      v,
+      3,
+    );
     // The hand points as wanted.
     quatMultiply(q, 0, world, 4 * (upper + 1), pose, 4 * hand);
     quatRotate(v, 0, q, 0, sign, 0, 0);
@@ -326,7 +404,8 @@ function hemisphere(clip: Clip): void {
     for (let j = 0; j < JOINT_COUNT; j++) {
       const a = Q * f + 4 * j;
       const b = a - Q;
-      if (r[a] * r[b] + r[a + 1] * r[b + 1] + r[a + 2] * r[b + 2] + r[a + 3] * r[b + 3] < 0) for (let k = 0; k < 4; k++) r[a + k] = -r[a + k];
+      if (r[a] * r[b] + r[a + 1] * r[b + 1] + r[a + 2] * r[b + 2] + r[a + 3] * r[b + 3] < 0)
+        for (let k = 0; k < 4; k++) r[a + k] = -r[a + k];
     }
   }
 }
@@ -354,7 +433,15 @@ function sidecarOf(score: Score, contacts: ContactTrack): Sidecar {
     rate: CLIP_RATE,
     tasks: score.events.map((e) => e.task),
     contacts: { leftHeel: runs(1), leftToe: runs(2), rightHeel: runs(4), rightToe: runs(8) },
-    steps: score.steps.map((s) => ({ foot: s.foot, category: s.kind, lift: s.lift, land: s.land, x: s.x, z: s.z, yaw: s.yaw })),
+    steps: score.steps.map((s) => ({
+      foot: s.foot,
+      category: s.kind,
+      lift: s.lift,
+      land: s.land,
+      x: s.x,
+      z: s.z,
+      yaw: s.yaw,
+    })),
     ...(lift && lift.type === "lift" ? { load: lift.mass } : {}),
   };
 }

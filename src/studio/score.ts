@@ -7,8 +7,8 @@
  * (`src/studio/choreography/`) write scores.
  */
 import type { SidecarTask } from "../core/capture/sidecar.ts";
-import type { Foot } from "../core/steps/types.ts";
 import type { Proportions } from "../core/skeleton/skeleton.ts";
+import type { Foot } from "../core/steps/types.ts";
 
 export interface ScoreStance {
   x: number;

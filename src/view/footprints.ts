@@ -2,8 +2,23 @@
  * Footprints on the floor: heel and forefoot apart, filled with the step category's colour, a mark as second cue, a hairline
  * about them. Two instanced meshes, so a plan of any length is a few draw calls.
  */
-import { CanvasTexture, Color, DynamicDrawUsage, Group, InstancedBufferAttribute, InstancedMesh, Matrix4, MeshBasicMaterial, PlaneGeometry, Quaternion, Shape, ShapeGeometry, SRGBColorSpace, Vector3 } from "three";
-import { STEP_CATEGORIES, type Foot, type Phase, type StepCategory } from "../core/steps/types.ts";
+import {
+  CanvasTexture,
+  Color,
+  DynamicDrawUsage,
+  Group,
+  InstancedBufferAttribute,
+  InstancedMesh,
+  Matrix4,
+  MeshBasicMaterial,
+  PlaneGeometry,
+  Quaternion,
+  Shape,
+  ShapeGeometry,
+  SRGBColorSpace,
+  Vector3,
+} from "three";
+import { type Foot, type Phase, STEP_CATEGORIES, type StepCategory } from "../core/steps/types.ts";
 import { CATEGORY_COLOURS, ROOMS, type Theme } from "./tokens.ts";
 
 export interface Footprint {
@@ -86,16 +101,48 @@ function markTexture(): CanvasTexture {
         const up = category === "HeelPivot" ? -1 : 1;
         dot(up * -30);
         g.beginPath();
-        g.arc(0, up * 10, 34, up < 0 ? Math.PI * 1.15 : Math.PI * 0.15, up < 0 ? Math.PI * 1.85 : Math.PI * 0.85);
+        g.arc(
+          0,
+          up * 10,
+          34,
+          up < 0 ? Math.PI * 1.15 : Math.PI * 0.15,
+          up < 0 ? Math.PI * 1.85 : Math.PI * 0.85,
+        );
         g.stroke();
       } else if (category === "SideStep") {
-        path([[-34, 0], [34, 0]]);
-        path([[12, -20], [34, 0], [12, 20]]);
+        path([
+          [-34, 0],
+          [34, 0],
+        ]);
+        path([
+          [12, -20],
+          [34, 0],
+          [12, 20],
+        ]);
       } else if (category === "TurnAndStep") {
-        path([[-24, 34], [-24, 4], [-8, -14], [28, -14]]);
-        path([[10, -34], [30, -14], [10, 6]]);
-      } else if (category === "ForwardStepDuringTask") path([[-30, 16], [0, -16], [30, 16]]);
-      else if (category === "BackwardStepDuringTask") path([[-30, -16], [0, 16], [30, -16]]);
+        path([
+          [-24, 34],
+          [-24, 4],
+          [-8, -14],
+          [28, -14],
+        ]);
+        path([
+          [10, -34],
+          [30, -14],
+          [10, 6],
+        ]);
+      } else if (category === "ForwardStepDuringTask")
+        path([
+          [-30, 16],
+          [0, -16],
+          [30, 16],
+        ]);
+      else if (category === "BackwardStepDuringTask")
+        path([
+          [-30, -16],
+          [0, 16],
+          [30, -16],
+        ]);
       g.restore();
     });
   }
@@ -128,14 +175,21 @@ export class FootprintLayer {
       return mesh;
     };
     // Mirrored instances turn triangles over: both sides are drawn.
-    this.outline = make(merged([forefoot(0.005), heel(0.005)]), new MeshBasicMaterial({ ...unlit, side: 2, opacity: 0.82 }), 4);
+    this.outline = make(
+      merged([forefoot(0.005), heel(0.005)]),
+      new MeshBasicMaterial({ ...unlit, side: 2, opacity: 0.82 }),
+      4,
+    );
     this.fill = make(merged([forefoot(0), heel(0)]), new MeshBasicMaterial({ ...unlit, side: 2 }), 5);
     const plane = new PlaneGeometry(0.062, 0.062).rotateX(-Math.PI / 2).rotateY(Math.PI);
     this.cells = new InstancedBufferAttribute(new Float32Array(MOST), 1);
     plane.setAttribute("cell", this.cells);
     const markMaterial = new MeshBasicMaterial({ ...unlit, map: markTexture(), side: 2 });
     markMaterial.onBeforeCompile = (shader) => {
-      shader.vertexShader = `attribute float cell;\n${shader.vertexShader}`.replace("#include <uv_vertex>", `#include <uv_vertex>\nvMapUv.x = (vMapUv.x + cell) / ${STEP_CATEGORIES.length}.0;`);
+      shader.vertexShader = `attribute float cell;\n${shader.vertexShader}`.replace(
+        "#include <uv_vertex>",
+        `#include <uv_vertex>\nvMapUv.x = (vMapUv.x + cell) / ${STEP_CATEGORIES.length}.0;`,
+      );
     };
     this.marks = make(plane, markMaterial, 6);
     for (const mesh of [this.fill, this.outline]) mesh.setColorAt(0, new Color("#ffffff"));
@@ -172,11 +226,22 @@ export class FootprintLayer {
       q.setFromAxisAngle(up, p.yaw);
       const side = p.foot === "left" ? -1 : 1;
       const big = i === this.selected ? 1.12 : 1;
-      m.compose(new Vector3(p.x, p.y + 0.004 + i * 2e-6, p.z), q, new Vector3(-side * SCALE * big, 1, SCALE * big));
+      m.compose(
+        new Vector3(p.x, p.y + 0.004 + i * 2e-6, p.z),
+        q,
+        new Vector3(-side * SCALE * big, 1, SCALE * big),
+      );
       this.fill.setMatrixAt(i, m);
       m.elements[13] -= 0.001;
       this.outline.setMatrixAt(i, m);
-      const fill = this.mode === "phase" ? (p.phase ? PHASE_COLOURS[p.phase] : "#fbfbfa") : p.category ? CATEGORY_COLOURS[p.category].fill : "#fbfbfa";
+      const fill =
+        this.mode === "phase"
+          ? p.phase
+            ? PHASE_COLOURS[p.phase]
+            : "#fbfbfa"
+          : p.category
+            ? CATEGORY_COLOURS[p.category].fill
+            : "#fbfbfa";
       colour.set(fill);
       if (p.state === "past") colour.lerp(floor, 0.55);
       this.fill.setColorAt(i, colour);
@@ -186,7 +251,11 @@ export class FootprintLayer {
       if (p.category && p.category !== "Walk" && this.mode === "category") {
         const heelMark = p.category === "HeelPivot";
         const ahead = (heelMark ? 0.118 : 0.128) * SCALE;
-        m.compose(new Vector3(p.x + Math.sin(p.yaw) * ahead, p.y + 0.006, p.z + Math.cos(p.yaw) * ahead), q, new Vector3(side, 1, 1));
+        m.compose(
+          new Vector3(p.x + Math.sin(p.yaw) * ahead, p.y + 0.006, p.z + Math.cos(p.yaw) * ahead),
+          q,
+          new Vector3(side, 1, 1),
+        );
         this.marks.setMatrixAt(marks, m);
         this.cells.setX(marks, STEP_CATEGORIES.indexOf(p.category));
         marks++;

@@ -1,9 +1,21 @@
 /** Furniture: few, rounded, low in colour. */
-import { BoxGeometry, CanvasTexture, CylinderGeometry, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, type Object3D, PlaneGeometry, SRGBColorSpace } from "three";
+import {
+  BoxGeometry,
+  CanvasTexture,
+  CylinderGeometry,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  type Object3D,
+  PlaneGeometry,
+  SRGBColorSpace,
+} from "three";
 import { RoundedBoxGeometry } from "three/addons/geometries/RoundedBoxGeometry.js";
 import type { SceneProp } from "../core/scene/types.ts";
 
-const material = (color: string, roughness = 0.6): MeshStandardMaterial => new MeshStandardMaterial({ color, roughness });
+const material = (color: string, roughness = 0.6): MeshStandardMaterial =>
+  new MeshStandardMaterial({ color, roughness });
 
 const top = material("#eeedea", 0.5);
 const birch = material("#d8c4a3", 0.55);
@@ -37,7 +49,13 @@ function blobMaterial(opacity: number): MeshBasicMaterial {
     }
     blobTexture = new CanvasTexture(c);
   }
-  return new MeshBasicMaterial({ map: blobTexture, transparent: true, opacity, depthWrite: false, toneMapped: false });
+  return new MeshBasicMaterial({
+    map: blobTexture,
+    transparent: true,
+    opacity,
+    depthWrite: false,
+    toneMapped: false,
+  });
 }
 
 function rounded(w: number, h: number, d: number, m: MeshStandardMaterial, radius = 0.01): Mesh {
@@ -128,13 +146,34 @@ function drawing(w: number, h: number): CanvasTexture {
       g.stroke();
     };
     const blue = "#2c3a63";
-    stroke(blue, [[0.07, 0.1], [0.071, 0.4], [0.36, 0.403]]);
-    const wave = (x0: number, y0: number, a: number, colour: string, f: number) => stroke(colour, Array.from({ length: 60 }, (_, i) => [x0 + (0.27 * i) / 59, y0 - a * Math.abs(Math.sin((i / 59) * Math.PI * f))]));
+    stroke(blue, [
+      [0.07, 0.1],
+      [0.071, 0.4],
+      [0.36, 0.403],
+    ]);
+    const wave = (x0: number, y0: number, a: number, colour: string, f: number) =>
+      stroke(
+        colour,
+        Array.from({ length: 60 }, (_, i) => [
+          x0 + (0.27 * i) / 59,
+          y0 - a * Math.abs(Math.sin((i / 59) * Math.PI * f)),
+        ]),
+      );
     wave(0.08, 0.385, 0.2, "#b5483a", 2);
     wave(0.08, 0.39, 0.12, "#2f6f5a", 3);
     // A triangle with its centre: barycentric weights.
-    stroke(blue, [[0.62, 0.78], [0.9, 0.84], [0.74, 0.5], [0.62, 0.78]]);
-    for (const corner of [[0.62, 0.78], [0.9, 0.84], [0.74, 0.5]] as [number, number][]) stroke("#b5483a", [[0.755, 0.7], corner]);
+    stroke(blue, [
+      [0.62, 0.78],
+      [0.9, 0.84],
+      [0.74, 0.5],
+      [0.62, 0.78],
+    ]);
+    for (const corner of [
+      [0.62, 0.78],
+      [0.9, 0.84],
+      [0.74, 0.5],
+    ] as [number, number][])
+      stroke("#b5483a", [[0.755, 0.7], corner]);
     g.fillStyle = blue;
     g.font = `italic ${Math.round(0.1 * H)}px Georgia, serif`;
     g.fillText("q = w\u2081p\u2081 + w\u2082p\u2082 + w\u2083p\u2083", 0.47 * 1024, 0.26 * H);
@@ -198,7 +237,10 @@ export function createProp(p: SceneProp): Object3D {
   else if (p.kind === "board") o = whiteboard(p);
   else if (p.kind === "box") o = boxMesh(p.size);
   else {
-    const solid = p.kind === "pillar" ? new Mesh(new CylinderGeometry(p.size[0] / 2, p.size[0] / 2, p.size[1], 48), wall) : new Mesh(new BoxGeometry(...p.size), wall);
+    const solid =
+      p.kind === "pillar"
+        ? new Mesh(new CylinderGeometry(p.size[0] / 2, p.size[0] / 2, p.size[1], 48), wall)
+        : new Mesh(new BoxGeometry(...p.size), wall);
     solid.position.y = p.size[1] / 2;
     solid.castShadow = true;
     solid.receiveShadow = true;

@@ -62,7 +62,12 @@ export function createRoom(scene: Scene, renderer: WebGLRenderer): Room {
   const floorMaterial = new MeshStandardMaterial({ roughness: 0.74, metalness: 0 });
   floorMaterial.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, grid);
-    shader.vertexShader = shader.vertexShader.replace("#include <common>", "#include <common>\nvarying vec3 vPlace;").replace("#include <worldpos_vertex>", "#include <worldpos_vertex>\nvPlace = (modelMatrix * vec4(transformed, 1.0)).xyz;");
+    shader.vertexShader = shader.vertexShader
+      .replace("#include <common>", "#include <common>\nvarying vec3 vPlace;")
+      .replace(
+        "#include <worldpos_vertex>",
+        "#include <worldpos_vertex>\nvPlace = (modelMatrix * vec4(transformed, 1.0)).xyz;",
+      );
     shader.fragmentShader = shader.fragmentShader
       .replace(
         "#include <common>",
@@ -146,4 +151,3 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * 
     },
   };
 }
-

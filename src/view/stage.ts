@@ -98,7 +98,18 @@ export class Stage {
     const lifted = scene.tasks.filter((t) => t.category === "lift");
     for (const p of scene.props) {
       // A box that a task lifts is drawn with the motion.
-      if (p.kind === "box" && lifted.some((t) => Math.hypot(t.position[0] - p.position[0], t.position[1] - p.position[1], t.position[2] - p.position[2]) < 0.35)) continue;
+      if (
+        p.kind === "box" &&
+        lifted.some(
+          (t) =>
+            Math.hypot(
+              t.position[0] - p.position[0],
+              t.position[1] - p.position[1],
+              t.position[2] - p.position[2],
+            ) < 0.35,
+        )
+      )
+        continue;
       this.props.add(createProp(p));
     }
     for (const [id, o] of this.boxes) {
@@ -120,9 +131,30 @@ export class Stage {
     this.taskMarks.clear();
     const ink = ROOMS[this.theme].ink;
     for (const t of scene.tasks) {
-      const stem = new Line(new BufferGeometry().setFromPoints([new Vector3(t.position[0], 0.004, t.position[2]), new Vector3(...t.position)]), new LineDashedMaterial({ color: ink, dashSize: 0.025, gapSize: 0.03, transparent: true, opacity: 0.5, depthTest: false }));
+      const stem = new Line(
+        new BufferGeometry().setFromPoints([
+          new Vector3(t.position[0], 0.004, t.position[2]),
+          new Vector3(...t.position),
+        ]),
+        new LineDashedMaterial({
+          color: ink,
+          dashSize: 0.025,
+          gapSize: 0.03,
+          transparent: true,
+          opacity: 0.5,
+          depthTest: false,
+        }),
+      );
       stem.computeLineDistances();
-      const ring = new LineLoop(new BufferGeometry().setFromPoints(Array.from({ length: 64 }, (_, i) => new Vector3(0.3 * Math.sin((i * Math.PI) / 32), 0, 0.3 * Math.cos((i * Math.PI) / 32)))), new LineBasicMaterial({ color: ink, transparent: true, opacity: t.id === selected ? 1 : 0.45 }));
+      const ring = new LineLoop(
+        new BufferGeometry().setFromPoints(
+          Array.from(
+            { length: 64 },
+            (_, i) => new Vector3(0.3 * Math.sin((i * Math.PI) / 32), 0, 0.3 * Math.cos((i * Math.PI) / 32)),
+          ),
+        ),
+        new LineBasicMaterial({ color: ink, transparent: true, opacity: t.id === selected ? 1 : 0.45 }),
+      );
       ring.position.set(t.position[0], 0.006, t.position[2]);
       this.taskMarks.add(stem, ring);
     }
@@ -237,7 +269,11 @@ export class Stage {
     let reach = 1.6;
     for (const p of points) reach = Math.max(reach, Math.hypot(p[0] - c.x, p[2] - c.z) + 0.7);
     const direction = this.camera.position.clone().sub(this.controls.target).normalize();
-    const aspect = Math.max(0.5, (this.size.width - this.free.left - this.free.right) / Math.max(1, this.size.height - this.free.top - this.free.bottom));
+    const aspect = Math.max(
+      0.5,
+      (this.size.width - this.free.left - this.free.right) /
+        Math.max(1, this.size.height - this.free.top - this.free.bottom),
+    );
     const distance = (reach * 1.12) / Math.tan((this.camera.fov * Math.PI) / 360) / Math.min(1.45, aspect);
     this.controls.target.copy(c);
     this.camera.position.copy(c).addScaledVector(direction, Math.max(3, Math.min(13, distance)));
@@ -252,7 +288,14 @@ export class Stage {
     this.renderer.setSize(this.size.width, this.size.height, false);
     this.camera.aspect = this.size.width / this.size.height;
     // The middle of the picture is the middle of the free part.
-    this.camera.setViewOffset(this.size.width, this.size.height, (free.right - free.left) / 2, (free.bottom - free.top) / 2, this.size.width, this.size.height);
+    this.camera.setViewOffset(
+      this.size.width,
+      this.size.height,
+      (free.right - free.left) / 2,
+      (free.bottom - free.top) / 2,
+      this.size.width,
+      this.size.height,
+    );
     this.camera.updateProjectionMatrix();
     this.invalidate();
   }

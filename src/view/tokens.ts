@@ -86,4 +86,9 @@ export const ROOMS: Record<Theme, RoomColours> = {
 };
 
 /** Shoes: heel and toe piece of each foot. */
-export const SHOES = { leftHeel: "#414d80", leftToe: "#8592c6", rightHeel: "#a0763f", rightToe: "#dcb981" } as const;
+export const SHOES = {
+  leftHeel: "#414d80",
+  leftToe: "#8592c6",
+  rightHeel: "#a0763f",
+  rightToe: "#dcb981",
+} as const;

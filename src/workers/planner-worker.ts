@@ -3,13 +3,14 @@
  *
  * A newer request overtakes the one under way at its next slice. See protocol.ts for the order of answers.
  */
-import type { MotionChunk } from "../core/motion/types.ts";
+
 import { beginSynthesis, handResults, type SwingCache, synthesiseChunk } from "../core/motion/synthesise.ts";
+import type { MotionChunk } from "../core/motion/types.ts";
 import { measureMotion } from "../core/quality/measure.ts";
 import type { Scene } from "../core/scene/types.ts";
 import { createSkeleton } from "../core/skeleton/skeleton.ts";
-import type { Plan } from "../core/tasks/plan-types.ts";
 import { goalsOf, planScene } from "../core/tasks/plan-scene.ts";
+import type { Plan } from "../core/tasks/plan-types.ts";
 import type { TaskGoal } from "../core/tasks/transition.ts";
 import { decodeLibrary } from "../core/templates/library-file.ts";
 import { retargetLibrary } from "../core/templates/retarget-library.ts";
@@ -37,7 +38,12 @@ async function load(url: string): Promise<void> {
   const answer = await fetch(url);
   if (!answer.ok) throw new Error(`${url}: the library could not be loaded (${answer.status}).`);
   base = decodeLibrary(new Uint8Array(await answer.arrayBuffer()));
-  post({ type: "ready", templates: base.templates.length, clips: base.clips.length, transitions: base.transitions });
+  post({
+    type: "ready",
+    templates: base.templates.length,
+    clips: base.clips.length,
+    transitions: base.transitions,
+  });
 }
 
 /** Templates for the scene's character, kept until it changes. */
@@ -45,7 +51,12 @@ function libraryFor(scene: Scene): { key: string; library: Library; cache: Swing
   if (!base) throw new Error("The library is not loaded yet.");
   const { height, proportions } = scene.character;
   const key = `${height}/${proportions.leg}/${proportions.arm}/${proportions.torso}`;
-  if (character?.key !== key) character = { key, library: retargetLibrary(base, createSkeleton(height, proportions)), cache: new Map() };
+  if (character?.key !== key)
+    character = {
+      key,
+      library: retargetLibrary(base, createSkeleton(height, proportions)),
+      cache: new Map(),
+    };
   return character;
 }
 
@@ -55,7 +66,10 @@ async function answer(request: PlanRequest): Promise<void> {
   const skeleton = createSkeleton(scene.character.height, scene.character.proportions);
   const begun = performance.now();
   const goals = goalsOf(scene);
-  const earlier = request.now !== null && playing && playing.key === key ? { plan: playing.plan, goals: playing.goals, now: request.now } : null;
+  const earlier =
+    request.now !== null && playing && playing.key === key
+      ? { plan: playing.plan, goals: playing.goals, now: request.now }
+      : null;
   const plan = planScene(scene, library, skeleton, { playing: earlier, trace: true });
   const planMs = performance.now() - begun;
   playing = { plan, goals, key };
@@ -73,8 +87,17 @@ async function answer(request: PlanRequest): Promise<void> {
     const chunk = synthesiseChunk(synthesis, first, SLICE);
     chunks.push(chunk);
     // Frames before what is shown are only needed by the hands' state; all are sent, in order of playing.
-    const copy: MotionChunk = { ...chunk, root: chunk.root.slice(), rotations: chunk.rotations.slice(), contacts: chunk.contacts.slice() };
-    post({ type: "motion", id: request.id, chunk: copy }, [copy.root.buffer, copy.rotations.buffer, copy.contacts.buffer]);
+    const copy: MotionChunk = {
+      ...chunk,
+      root: chunk.root.slice(),
+      rotations: chunk.rotations.slice(),
+      contacts: chunk.contacts.slice(),
+    };
+    post({ type: "motion", id: request.id, chunk: copy }, [
+      copy.root.buffer,
+      copy.rotations.buffer,
+      copy.contacts.buffer,
+    ]);
     await pause();
     if (newest !== request) {
       post({ type: "dropped", id: request.id });
@@ -96,7 +119,11 @@ async function work(): Promise<void> {
     try {
       await answer(request);
     } catch (error) {
-      post({ type: "failed", id: request.id, message: error instanceof Error ? error.message : String(error) });
+      post({
+        type: "failed",
+        id: request.id,
+        message: error instanceof Error ? error.message : String(error),
+      });
     }
     done = request;
   }
@@ -107,7 +134,9 @@ self.onmessage = (event: MessageEvent<PlannerRequest>) => {
   const message = event.data;
   switch (message.type) {
     case "load":
-      load(message.url).catch((error: unknown) => post({ type: "failed", id: 0, message: error instanceof Error ? error.message : String(error) }));
+      load(message.url).catch((error: unknown) =>
+        post({ type: "failed", id: 0, message: error instanceof Error ? error.message : String(error) }),
+      );
       break;
     case "plan":
       if (newest && busy && newest.id !== message.id) post({ type: "overtaken", id: newest.id });

@@ -28,9 +28,22 @@ export type PlannerRequest =
 
 export type PlannerResponse =
   | { type: "ready"; templates: number; clips: number; transitions: number[][] }
-  | { type: "planned"; id: number; plan: Plan; planMs: number; /** Frames of the whole motion. */ frames: number }
+  | {
+      type: "planned";
+      id: number;
+      plan: Plan;
+      planMs: number /** Frames of the whole motion. */;
+      frames: number;
+    }
   | { type: "motion"; id: number; chunk: MotionChunk }
-  | { type: "finished"; id: number; boxes: BoxTrack[]; ink: InkStroke[]; quality: QualityFigures; motionMs: number }
+  | {
+      type: "finished";
+      id: number;
+      boxes: BoxTrack[];
+      ink: InkStroke[];
+      quality: QualityFigures;
+      motionMs: number;
+    }
   | { type: "dropped"; id: number }
   /** A newer request came while this one was worked on: `dropped` follows. */
   | { type: "overtaken"; id: number }

@@ -13,7 +13,8 @@ export const contactsCommand = {
     const files = o.values.get("bvh") ?? [];
     const to = outputs(files, needed(o, "out"), "csv");
     const method = (one(o, "method") ?? "both") as ContactMethod;
-    if (!CONTACT_METHODS.includes(method)) throw new UsageError(`--method: one of ${CONTACT_METHODS.join(", ")} is needed.`);
+    if (!CONTACT_METHODS.includes(method))
+      throw new UsageError(`--method: one of ${CONTACT_METHODS.join(", ")} is needed.`);
     return files.map((f, i) => {
       const { clip, report } = readCapture(f);
       writeFileSync(to[i], contactsCsv(detectContacts(clip, method), clip.rate, report.rate, report.frames));

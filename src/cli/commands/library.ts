@@ -27,7 +27,11 @@ function folderCaptures(folder: string, shard: [number, number]): Capture[] {
   return files.map((f, i) => {
     console.error(`${i + 1}/${files.length} ${f}`);
     const path = join(folder, f);
-    return { name: baseName(f), clip: readCapture(path).clip, tasks: readSidecar(path.replace(/\.bvh$/i, ".json"))?.tasks ?? [] };
+    return {
+      name: baseName(f),
+      clip: readCapture(path).clip,
+      tasks: readSidecar(path.replace(/\.bvh$/i, ".json"))?.tasks ?? [],
+    };
   });
 }
 
@@ -35,7 +39,13 @@ function write(library: Library, out: string): object {
   mkdirSync(dirname(out), { recursive: true });
   const bytes = encodeLibrary(library);
   writeFileSync(out, bytes);
-  return { file: out, bytes: bytes.length, clips: library.clips.length, templates: library.templates.length, walks: library.walks.length };
+  return {
+    file: out,
+    bytes: bytes.length,
+    clips: library.clips.length,
+    templates: library.templates.length,
+    walks: library.walks.length,
+  };
 }
 
 export const libraryCommand = {
@@ -48,7 +58,8 @@ export const libraryCommand = {
       return write(mergeLibraries(o.words.slice(1).map((f) => decodeLibrary(readFileSync(f)))), out);
     }
     const shard = (one(o, "shard") ?? "1/1").split("/").map(Number) as [number, number];
-    if (!(shard[0] >= 1 && shard[0] <= shard[1])) throw new UsageError("--shard: I/N with 1 <= I <= N is needed.");
+    if (!(shard[0] >= 1 && shard[0] <= shard[1]))
+      throw new UsageError("--shard: I/N with 1 <= I <= N is needed.");
     const clips = one(o, "clips");
     const captures = clips ? folderCaptures(clips, shard) : studioCaptures((t) => console.error(t));
     return write(buildLibrary(captures), out);

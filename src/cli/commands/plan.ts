@@ -51,12 +51,27 @@ export const planCommand = {
       const plan = planScene(scene, character.library, skeleton);
       const synthesis = beginSynthesis(character.library, skeleton, plan, goals, character.cache);
       const clip = synthesiseClip(synthesis, f);
-      const chunk = { first: 0, frames: clip.frames, root: Float32Array.from(clip.root), rotations: Float32Array.from(clip.rotations), contacts: synthesis.track.contacts };
+      const chunk = {
+        first: 0,
+        frames: clip.frames,
+        root: Float32Array.from(clip.root),
+        rotations: Float32Array.from(clip.rotations),
+        contacts: synthesis.track.contacts,
+      };
       const quality = measureMotion(skeleton, [chunk], clip.frames, plan, goals);
-      writeFileSync(to[i], `${JSON.stringify(resultDocument(scene, plan, synthesis.track.contacts, quality))}\n`);
+      writeFileSync(
+        to[i],
+        `${JSON.stringify(resultDocument(scene, plan, synthesis.track.contacts, quality))}\n`,
+      );
       const bvh = many ? to[i].replace(/\.json$/, ".bvh") : one(o, "bvh");
       if (bvh) writeFileSync(bvh, writeBvh(clip));
-      return { scene: f, footsteps: plan.steps.length, seconds: plan.duration, warnings: plan.warnings, quality };
+      return {
+        scene: f,
+        footsteps: plan.steps.length,
+        seconds: plan.duration,
+        warnings: plan.warnings,
+        quality,
+      };
     });
     return rows.length === 1 ? rows[0] : rows;
   },

@@ -5,7 +5,14 @@
  * line. Time is linear in the size of the text.
  */
 
-export const BVH_CHANNELS = ["Xposition", "Yposition", "Zposition", "Xrotation", "Yrotation", "Zrotation"] as const;
+export const BVH_CHANNELS = [
+  "Xposition",
+  "Yposition",
+  "Zposition",
+  "Xrotation",
+  "Yrotation",
+  "Zrotation",
+] as const;
 export type BvhChannel = (typeof BVH_CHANNELS)[number];
 
 export interface BvhJoint {
@@ -64,11 +71,13 @@ export function parseBvh(text: string, name: string): BvhFile {
   };
   const number = (s: string | undefined): number => {
     const n = s === undefined || s === "" ? Number.NaN : Number(s);
-    if (!Number.isFinite(n)) fail(`a number is needed, found ${s === undefined ? "nothing" : JSON.stringify(s.slice(0, 30))}.`);
+    if (!Number.isFinite(n))
+      fail(`a number is needed, found ${s === undefined ? "nothing" : JSON.stringify(s.slice(0, 30))}.`);
     return n;
   };
   const first = next();
-  if (first === null || !/^HIERARCHY$/i.test(first.replace(/^\uFEFF/, ""))) fail("HIERARCHY is expected; this is no BVH file.");
+  if (first === null || !/^HIERARCHY$/i.test(first.replace(/^\uFEFF/, "")))
+    fail("HIERARCHY is expected; this is no BVH file.");
   const joints: BvhJoint[] = [];
   const names = new Set<string>();
   /** Open braces: joint index, or -2 for an End Site. */
@@ -92,7 +101,14 @@ export function parseBvh(text: string, name: string): BvhFile {
         if (names.has(joint)) fail(`the joint ${JSON.stringify(joint)} stands twice.`);
         if (joints.length >= MOST_JOINTS) fail(`more than ${MOST_JOINTS} joints.`);
         names.add(joint);
-        joints.push({ name: joint, parent: stack.length > 0 ? stack[stack.length - 1] : -1, offset: [0, 0, 0], channels: [], column: 0, endSites: [] });
+        joints.push({
+          name: joint,
+          parent: stack.length > 0 ? stack[stack.length - 1] : -1,
+          offset: [0, 0, 0],
+          channels: [],
+          column: 0,
+          endSites: [],
+        });
         pending = joints.length - 1;
       } else if (head === "END") {
         if (stack.length === 0) fail("an End Site outside of a joint.");
@@ -136,9 +152,11 @@ export function parseBvh(text: string, name: string): BvhFile {
   if (frames > MOST_FRAMES) fail(`at most ${MOST_FRAMES} frames are possible, found ${frames}.`);
   const timeLine = next() ?? fail("the file ends before Frame Time.");
   const frameTime = number(/^Frame\s+Time:\s*(\S+)$/i.exec(timeLine)?.[1]);
-  if (!(frameTime > 1e-5 && frameTime < 10)) fail(`a Frame Time between 0.00001 and 10 seconds is needed, found ${frameTime}.`);
+  if (!(frameTime > 1e-5 && frameTime < 10))
+    fail(`a Frame Time between 0.00001 and 10 seconds is needed, found ${frameTime}.`);
   // Never more room than the text could fill.
-  if (frames * columns > text.length) fail(`${frames} frames of ${columns} numbers are promised; the file is too short for them.`);
+  if (frames * columns > text.length)
+    fail(`${frames} frames of ${columns} numbers are promised; the file is too short for them.`);
   const values = new Float64Array(frames * columns);
   for (let f = 0; f < frames; f++) {
     const s = next();

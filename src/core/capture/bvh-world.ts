@@ -63,9 +63,13 @@ export function worldOf(file: BvhFile, joints: Map<JointName, number>): WorldMot
       }
       const p = 9 * joint.parent;
       const po = 3 * (f * n + joint.parent);
-      for (let k = 0; k < 3; k++) positions[o + k] = positions[po + k] + m[p + 3 * k] * ox + m[p + 3 * k + 1] * oy + m[p + 3 * k + 2] * oz;
+      for (let k = 0; k < 3; k++)
+        positions[o + k] =
+          positions[po + k] + m[p + 3 * k] * ox + m[p + 3 * k + 1] * oy + m[p + 3 * k + 2] * oz;
       for (let i = 0; i < 3; i++) {
-        for (let k = 0; k < 3; k++) m[9 * j + 3 * i + k] = m[p + 3 * i] * r[k] + m[p + 3 * i + 1] * r[3 + k] + m[p + 3 * i + 2] * r[6 + k];
+        for (let k = 0; k < 3; k++)
+          m[9 * j + 3 * i + k] =
+            m[p + 3 * i] * r[k] + m[p + 3 * i + 1] * r[3 + k] + m[p + 3 * i + 2] * r[6 + k];
       }
     }
   }
@@ -103,7 +107,12 @@ function turn(r: Float64Array, axis: 0 | 1 | 2, degrees: number): void {
 }
 
 /** The axis along which the head (or the hips) is over the feet on average. */
-function upAxis(positions: Float64Array, n: number, frames: number, joints: Map<JointName, number>): "y" | "z" {
+function upAxis(
+  positions: Float64Array,
+  n: number,
+  frames: number,
+  joints: Map<JointName, number>,
+): "y" | "z" {
   const top = joints.get("head") ?? joints.get("neck") ?? joints.get("hips") ?? 0;
   const foot = joints.get("leftFoot") ?? 0;
   let y = 0;
@@ -119,7 +128,12 @@ function upAxis(positions: Float64Array, n: number, frames: number, joints: Map<
 /** The unit that makes the leg most like a person's. */
 function unitOf(positions: Float64Array, joints: Map<JointName, number>): number {
   const at = (name: JointName) => 3 * (joints.get(name) ?? 0);
-  const length = (a: number, b: number) => Math.hypot(positions[a] - positions[b], positions[a + 1] - positions[b + 1], positions[a + 2] - positions[b + 2]);
+  const length = (a: number, b: number) =>
+    Math.hypot(
+      positions[a] - positions[b],
+      positions[a + 1] - positions[b + 1],
+      positions[a + 2] - positions[b + 2],
+    );
   const leg = length(at("leftUpperLeg"), at("leftLowerLeg")) + length(at("leftLowerLeg"), at("leftFoot"));
   if (!(leg > 0)) return 1;
   let best = 1;

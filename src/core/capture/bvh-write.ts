@@ -40,7 +40,9 @@ export function writeBvh(clip: Clip): string {
     const o = clip.skeleton.offsets;
     out.push(`${pad}${joint === 0 ? "ROOT" : "JOINT"} ${JOINT_NAMES[joint]}`, `${pad}{`);
     // The hips' own offset is their rest place: the rest pose stands on the ground.
-    out.push(`${pad}  OFFSET ${number(o[3 * joint])} ${number(o[3 * joint + 1])} ${number(o[3 * joint + 2])}`);
+    out.push(
+      `${pad}  OFFSET ${number(o[3 * joint])} ${number(o[3 * joint + 1])} ${number(o[3 * joint + 2])}`,
+    );
     out.push(
       joint === 0
         ? `${pad}  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation`
@@ -49,14 +51,19 @@ export function writeBvh(clip: Clip): string {
     order.push(joint);
     for (const c of children(joint)) visit(c, depth + 1);
     const end = endSite(clip, joint);
-    if (end) out.push(`${pad}  End Site`, `${pad}  {`, `${pad}    OFFSET ${end.map(number).join(" ")}`, `${pad}  }`);
+    if (end)
+      out.push(`${pad}  End Site`, `${pad}  {`, `${pad}    OFFSET ${end.map(number).join(" ")}`, `${pad}  }`);
     out.push(`${pad}}`);
   };
   visit(0, 0);
   out.push("MOTION", `Frames: ${clip.frames}`, `Frame Time: ${(1 / clip.rate).toFixed(8)}`);
   const euler = [0, 0, 0];
   for (let f = 0; f < clip.frames; f++) {
-    const row: string[] = [number(clip.root[3 * f]), number(clip.root[3 * f + 1]), number(clip.root[3 * f + 2])];
+    const row: string[] = [
+      number(clip.root[3 * f]),
+      number(clip.root[3 * f + 1]),
+      number(clip.root[3 * f + 2]),
+    ];
     for (const joint of order) {
       eulerZxy(euler, clip.rotations, (f * JOINT_COUNT + joint) * 4);
       row.push(number(euler[0]), number(euler[1]), number(euler[2]));

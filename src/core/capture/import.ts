@@ -6,13 +6,22 @@
  */
 import { solveLeg } from "../ik/leg.ts";
 import { solveTwoBone } from "../ik/two-bone.ts";
-import { quatBetween, quatFromAxisAngle, quatFromYawPitchRoll, quatInverseMultiply, quatMultiply, quatNormalize, quatRotate, quatSlerp } from "../math/quaternion.ts";
+import {
+  quatBetween,
+  quatFromAxisAngle,
+  quatFromYawPitchRoll,
+  quatInverseMultiply,
+  quatMultiply,
+  quatNormalize,
+  quatRotate,
+  quatSlerp,
+} from "../math/quaternion.ts";
 import { toeSegmentPitch } from "../motion/sole.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT, JOINT_NAMES, type JointName } from "../skeleton/joints.ts";
 import { createSkeleton, type Skeleton } from "../skeleton/skeleton.ts";
-import { type BvhFile, BvhError, parseBvh } from "./bvh-parse.ts";
-import { worldOf, type WorldMotion } from "./bvh-world.ts";
+import { BvhError, type BvhFile, parseBvh } from "./bvh-parse.ts";
+import { type WorldMotion, worldOf } from "./bvh-world.ts";
 import { CLIP_RATE, type Clip } from "./clip.ts";
 import { mapJoints } from "./names.ts";
 
@@ -40,7 +49,15 @@ export interface ImportResult {
   report: ImportReport;
 }
 
-const NEEDED: JointName[] = ["hips", "leftUpperLeg", "leftLowerLeg", "leftFoot", "rightUpperLeg", "rightLowerLeg", "rightFoot"];
+const NEEDED: JointName[] = [
+  "hips",
+  "leftUpperLeg",
+  "leftLowerLeg",
+  "leftFoot",
+  "rightUpperLeg",
+  "rightLowerLeg",
+  "rightFoot",
+];
 
 /**
  * A BVH text as a clip on a skeleton of the actor's own size.
@@ -59,7 +76,10 @@ export function importBvh(text: string, name: string): ImportResult {
   const world = worldOf(file, joints);
   const leg = measureLeg(world, joints);
   const skeleton = createSkeleton(Math.max(1.2, Math.min(2.3, (leg / 0.93) * 1.75)));
-  if (!joints.has("leftToes") || !joints.has("rightToes")) warnings.push("This skeleton has no toes. Heel contacts are found; toe contacts are guessed from the ankle.");
+  if (!joints.has("leftToes") || !joints.has("rightToes"))
+    warnings.push(
+      "This skeleton has no toes. Heel contacts are found; toe contacts are guessed from the ankle.",
+    );
   const feet = calibrateFeet(world, joints);
   const clip = rebuild(file, world, joints, skeleton, feet);
   const used = new Set(joints.values());
@@ -93,7 +113,11 @@ function placeOf(world: WorldMotion, joint: number, frame: number, out: Float64A
 function distance(world: WorldMotion, a: number, b: number, frame: number): number {
   const i = 3 * (frame * world.joints + a);
   const j = 3 * (frame * world.joints + b);
-  return Math.hypot(world.positions[i] - world.positions[j], world.positions[i + 1] - world.positions[j + 1], world.positions[i + 2] - world.positions[j + 2]);
+  return Math.hypot(
+    world.positions[i] - world.positions[j],
+    world.positions[i + 1] - world.positions[j + 1],
+    world.positions[i + 2] - world.positions[j + 2],
+  );
 }
 
 /** Thigh, shank and ankle height as our leg length counts them. */
@@ -124,7 +148,12 @@ function calibrateFeet(world: WorldMotion, joints: Joints): FeetCalibration {
       placeOf(world, foot, f, a, 0);
       const i = 3 * (f * world.joints + foot);
       const j = 3 * ((f - 1) * world.joints + foot);
-      const speed = Math.hypot(world.positions[i] - world.positions[j], world.positions[i + 1] - world.positions[j + 1], world.positions[i + 2] - world.positions[j + 2]) * world.rate;
+      const speed =
+        Math.hypot(
+          world.positions[i] - world.positions[j],
+          world.positions[i + 1] - world.positions[j + 1],
+          world.positions[i + 2] - world.positions[j + 2],
+        ) * world.rate;
       let slope = -0.6;
       if (toe !== undefined) {
         placeOf(world, toe, f, a, 3);
@@ -147,7 +176,13 @@ function calibrateFeet(world: WorldMotion, joints: Joints): FeetCalibration {
 }
 
 /** Our clip, frame by frame. */
-function rebuild(file: BvhFile, world: WorldMotion, joints: Joints, skeleton: Skeleton, feet: FeetCalibration): Clip {
+function rebuild(
+  file: BvhFile,
+  world: WorldMotion,
+  joints: Joints,
+  skeleton: Skeleton,
+  feet: FeetCalibration,
+): Clip {
   const seconds = (file.frames - 1) * file.frameTime;
   const frames = Math.max(1, Math.round(seconds * CLIP_RATE) + 1);
   const clip: Clip = {
@@ -170,7 +205,8 @@ function rebuild(file: BvhFile, world: WorldMotion, joints: Joints, skeleton: Sk
   for (let i = 4 * JOINT_COUNT; i < clip.rotations.length; i += 4) {
     const b = i - 4 * JOINT_COUNT;
     const r = clip.rotations;
-    if (r[i] * r[b] + r[i + 1] * r[b + 1] + r[i + 2] * r[b + 2] + r[i + 3] * r[b + 3] < 0) for (let k = 0; k < 4; k++) r[i + k] = -r[i + k];
+    if (r[i] * r[b] + r[i + 1] * r[b + 1] + r[i + 2] * r[b + 2] + r[i + 3] * r[b + 3] < 0)
+      for (let k = 0; k < 4; k++) r[i + k] = -r[i + k];
   }
   return clip;
 }
@@ -187,7 +223,20 @@ function interpolate(out: Float64Array, world: WorldMotion, x: number): void {
   const d = Math.min(n - 1, i + 2) * row;
   const p = world.positions;
   for (let k = 0; k < row; k++) {
-    out[k] = t < 1e-9 ? p[b + k] : p[b + k] + 0.5 * t * (p[c + k] - p[a + k] + t * (2 * p[a + k] - 5 * p[b + k] + 4 * p[c + k] - p[d + k] + t * (3 * (p[b + k] - p[c + k]) + p[d + k] - p[a + k])));
+    out[k] =
+      t < 1e-9
+        ? p[b + k]
+        : p[b + k] +
+          0.5 *
+            t *
+            (p[c + k] -
+              p[a + k] +
+              t *
+                (2 * p[a + k] -
+                  5 * p[b + k] +
+                  4 * p[c + k] -
+                  p[d + k] +
+                  t * (3 * (p[b + k] - p[c + k]) + p[d + k] - p[a + k])));
   }
 }
 
@@ -214,7 +263,8 @@ function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibration):
     quatMultiply(q, o, q, 20, q, o);
     quatNormalize(q, o);
   };
-  const sub = (at: Float64Array, a: number, b: number): Float64Array => Float64Array.of(at[3 * a] - at[3 * b], at[3 * a + 1] - at[3 * b + 1], at[3 * a + 2] - at[3 * b + 2]);
+  const sub = (at: Float64Array, a: number, b: number): Float64Array =>
+    Float64Array.of(at[3 * a] - at[3 * b], at[3 * a + 1] - at[3 * b + 1], at[3 * a + 2] - at[3 * b + 2]);
   const lul = g("leftUpperLeg") as number;
   const rul = g("rightUpperLeg") as number;
   const top = g("neck") ?? g("head") ?? g("upperChest") ?? g("chest");
@@ -224,9 +274,19 @@ function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibration):
   return (at, pose, root, o) => {
     pose.fill(0);
     for (let j = 0; j < JOINT_COUNT; j++) pose[4 * j + 3] = 1;
-    const hips = Float64Array.of((at[3 * lul] + at[3 * rul]) / 2, (at[3 * lul + 1] + at[3 * rul + 1]) / 2, (at[3 * lul + 2] + at[3 * rul + 2]) / 2);
-    const spineUp = low !== undefined && low !== lul ? Float64Array.of(at[3 * low] - hips[0], at[3 * low + 1] - hips[1], at[3 * low + 2] - hips[2]) : Float64Array.of(0, 1, 0);
-    const trunkUp = top !== undefined ? Float64Array.of(at[3 * top] - hips[0], at[3 * top + 1] - hips[1], at[3 * top + 2] - hips[2]) : Float64Array.of(0, 1, 0);
+    const hips = Float64Array.of(
+      (at[3 * lul] + at[3 * rul]) / 2,
+      (at[3 * lul + 1] + at[3 * rul + 1]) / 2,
+      (at[3 * lul + 2] + at[3 * rul + 2]) / 2,
+    );
+    const spineUp =
+      low !== undefined && low !== lul
+        ? Float64Array.of(at[3 * low] - hips[0], at[3 * low + 1] - hips[1], at[3 * low + 2] - hips[2])
+        : Float64Array.of(0, 1, 0);
+    const trunkUp =
+      top !== undefined
+        ? Float64Array.of(at[3 * top] - hips[0], at[3 * top + 1] - hips[1], at[3 * top + 2] - hips[2])
+        : Float64Array.of(0, 1, 0);
     // A short first spine bone says little of the pelvis: lean on the trunk too.
     const up = Float64Array.of(spineUp[0] + trunkUp[0], spineUp[1] + trunkUp[1], spineUp[2] + trunkUp[2]);
     basis(0, sub(at, lul, rul), up);
@@ -291,12 +351,18 @@ function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibration):
         (f * mid[2]) / (out || 1) + (1.1 - f) * (ahead[2] / n),
       );
       const yaw = Math.atan2(ahead[0], ahead[2]);
-      const slope = toe !== undefined ? Math.atan2(at[3 * toe + 1] - at[3 * foot + 1], Math.hypot(at[3 * toe] - ax, at[3 * toe + 2] - az)) : feet.slope[side];
+      const slope =
+        toe !== undefined
+          ? Math.atan2(at[3 * toe + 1] - at[3 * foot + 1], Math.hypot(at[3 * toe] - ax, at[3 * toe + 2] - az))
+          : feet.slope[side];
       const pitch = slope - feet.slope[side];
       quatFromYawPitchRoll(rotations, 4 * (upper + 2), yaw, -pitch, 0);
       quatInverseMultiply(pose, 4 * (upper + 2), rotations, 4 * (upper + 1), rotations, 4 * (upper + 2));
       // Toes stay on the floor while the ball does.
-      const ballHeight = ay + skeleton.foot.ballForward * Math.sin(pitch) - (rise - skeleton.foot.ballHeight) * Math.cos(pitch);
+      const ballHeight =
+        ay +
+        skeleton.foot.ballForward * Math.sin(pitch) -
+        (rise - skeleton.foot.ballHeight) * Math.cos(pitch);
       const near = Math.max(0, Math.min(1, (0.08 - ballHeight) / 0.04));
       const bend = pitch < 0 ? (toeSegmentPitch(pitch) - pitch) * near : 0;
       quatFromAxisAngle(pose, 4 * (upper + 3), 1, 0, 0, -Math.min(1.1, bend));
@@ -324,7 +390,22 @@ function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibration):
       // The elbow is where the capture has it: the hint is exact.
       for (let k = 0; k < 3; k++) v[6 + k] = e[k] - (positions[3 * upper + k] + h[k]) / 2;
       for (let k = 0; k < 3; k++) positions[3 * (upper + 1) + k] = e[k];
-      solveTwoBone(pose, 0, positions, rotations, upper - 1, upper, upper + 1, upper + 2, skeleton.offsets, h[0], h[1], h[2], v, 6);
+      solveTwoBone(
+        pose,
+        0,
+        positions,
+        rotations,
+        upper - 1,
+        upper,
+        upper + 1,
+        upper + 2,
+        skeleton.offsets,
+        h[0],
+        h[1],
+        h[2],
+        v,
+        6,
+      );
     }
   };
 }

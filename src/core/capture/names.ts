@@ -81,10 +81,10 @@ export function mapJoints(names: readonly string[], parents: readonly number[]):
     // CMU: LHipJoint > LeftUpLeg; "hip" may be either.
     const upper = out.get(arm("UpperLeg"));
     const lower = out.get(arm("LowerLeg"));
-    if (upper !== undefined && lower !== undefined && parents[lower] !== upper) out.set(arm("UpperLeg"), parents[lower]);
+    if (upper !== undefined && lower !== undefined && parents[lower] !== upper)
+      out.set(arm("UpperLeg"), parents[lower]);
   }
   if (!out.has("hips")) out.set("hips", 0);
   // A root over the hips that only carries travel is not the hips.
   return out;
 }
-

@@ -32,6 +32,7 @@ export function parseSidecar(text: string, name: string): Sidecar {
     throw new Error(`${name}: no JSON: ${error instanceof Error ? error.message : String(error)}`);
   }
   const result = v.safeParse(sidecar, value, { abortEarly: true });
-  if (!result.success) throw new Error(`${name}: ${v.getDotPath(result.issues[0]) ?? "sidecar"}: ${result.issues[0].message}.`);
+  if (!result.success)
+    throw new Error(`${name}: ${v.getDotPath(result.issues[0]) ?? "sidecar"}: ${result.issues[0].message}.`);
   return result.output as Sidecar;
 }

@@ -32,7 +32,12 @@ export interface Sidecar {
   rate: number;
   tasks: SidecarTask[];
   /** Exact contacts of synthesised captures, run-length: [first frame, last frame (exclusive)] per bit. */
-  contacts?: { leftHeel: [number, number][]; leftToe: [number, number][]; rightHeel: [number, number][]; rightToe: [number, number][] };
+  contacts?: {
+    leftHeel: [number, number][];
+    leftToe: [number, number][];
+    rightHeel: [number, number][];
+    rightToe: [number, number][];
+  };
   /** Exact steps of synthesised captures, for training and tests only. */
   steps?: {
     foot: "left" | "right";

@@ -55,7 +55,11 @@ export function solePoints(clip: Clip): Float64Array {
 }
 
 /** Contact bits of a clip on the ground y = 0. */
-export function detectContacts(clip: Clip, method: ContactMethod, options: Partial<BaselineOptions> = {}): ContactTrack {
+export function detectContacts(
+  clip: Clip,
+  method: ContactMethod,
+  options: Partial<BaselineOptions> = {},
+): ContactTrack {
   const o = { ...BASELINE_DEFAULTS, ...options };
   const scale = clip.skeleton.legLength / 0.93;
   const raw = solePoints(clip);
@@ -69,15 +73,23 @@ export function detectContacts(clip: Clip, method: ContactMethod, options: Parti
     const b = Math.min(n - 1, f + 1);
     const ia = (2 * a + side) * ROW + 3 * point;
     const ib = (2 * b + side) * ROW + 3 * point;
-    const back = Math.hypot(points[i] - points[ia], points[i + 1] - points[ia + 1], points[i + 2] - points[ia + 2]) * clip.rate;
-    const ahead = Math.hypot(points[ib] - points[i], points[ib + 1] - points[i + 1], points[ib + 2] - points[i + 2]) * clip.rate;
+    const back =
+      Math.hypot(points[i] - points[ia], points[i + 1] - points[ia + 1], points[i + 2] - points[ia + 2]) *
+      clip.rate;
+    const ahead =
+      Math.hypot(points[ib] - points[i], points[ib + 1] - points[i + 1], points[ib + 2] - points[i + 2]) *
+      clip.rate;
     // At a boundary the point moves on one side alone.
     const slow = Math.min(f > 0 ? back : ahead, f < n - 1 ? ahead : back) < o.speed * scale;
-    return method === "height" ? low : method === "speed" ? slow && points[i + 1] < 6 * o.height * scale : low && slow;
+    return method === "height"
+      ? low
+      : method === "speed"
+        ? slow && points[i + 1] < 6 * o.height * scale
+        : low && slow;
   };
   for (let f = 0; f < n; f++) {
     for (let side = 0; side < 2; side++) {
-      if (rests(f, side, 0)) bits[(2 * side) * n + f] = 1;
+      if (rests(f, side, 0)) bits[2 * side * n + f] = 1;
       if (rests(f, side, 1) || rests(f, side, 2)) bits[(2 * side + 1) * n + f] = 1;
     }
   }
@@ -111,7 +123,8 @@ function dropShort(track: Uint8Array, value: 0 | 1, shortest: number): void {
   let from = 0;
   for (let f = 1; f <= track.length; f++) {
     if (f < track.length && track[f] === track[from]) continue;
-    if (track[from] === value && f - from < shortest && from > 0 && f < track.length) track.fill(1 - value, from, f);
+    if (track[from] === value && f - from < shortest && from > 0 && f < track.length)
+      track.fill(1 - value, from, f);
     from = f;
   }
 }

@@ -22,9 +22,11 @@ export function parseContactsCsv(text: string, name: string): ContactTrack {
   for (let i = 1; i < lines.length; i++) {
     const cells = lines[i].split(",").map((c) => c.trim());
     if (cells.length !== 5) throw new Error(`${name}, line ${i + 1}: ${cells.length} columns, 5 expected.`);
-    if (Number(cells[0]) !== i - 1) throw new Error(`${name}, line ${i + 1}: frame ${i - 1} is expected, found ${cells[0]}.`);
+    if (Number(cells[0]) !== i - 1)
+      throw new Error(`${name}, line ${i + 1}: frame ${i - 1} is expected, found ${cells[0]}.`);
     for (let b = 0; b < 4; b++) {
-      if (cells[b + 1] !== "0" && cells[b + 1] !== "1") throw new Error(`${name}, line ${i + 1}: 0 or 1 is needed, found ${cells[b + 1]}.`);
+      if (cells[b + 1] !== "0" && cells[b + 1] !== "1")
+        throw new Error(`${name}, line ${i + 1}: 0 or 1 is needed, found ${cells[b + 1]}.`);
       if (cells[b + 1] === "1") out[i - 1] |= 1 << b;
     }
   }

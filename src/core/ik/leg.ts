@@ -4,7 +4,19 @@
 import { quatInverseMultiply, quatNormalize, quatSet } from "../math/quaternion.ts";
 
 /** Rotation whose columns are x, y, z (orthonormal) as a quaternion. */
-function fromBasis(out: Float64Array, o: number, xx: number, xy: number, xz: number, yx: number, yy: number, yz: number, zx: number, zy: number, zz: number): void {
+function fromBasis(
+  out: Float64Array,
+  o: number,
+  xx: number,
+  xy: number,
+  xz: number,
+  yx: number,
+  yy: number,
+  yz: number,
+  zx: number,
+  zy: number,
+  zz: number,
+): void {
   const trace = xx + yy + zz;
   if (trace > 0) {
     const s = 2 * Math.sqrt(trace + 1);
@@ -102,7 +114,16 @@ export function solveLeg(
 }
 
 /** World rotation with the given X and Y axes (square to each other, unit). */
-function basisAlong(out: Float64Array, o: number, xx: number, xy: number, xz: number, yx: number, yy: number, yz: number): void {
+function basisAlong(
+  out: Float64Array,
+  o: number,
+  xx: number,
+  xy: number,
+  xz: number,
+  yx: number,
+  yy: number,
+  yz: number,
+): void {
   fromBasis(out, o, xx, xy, xz, yx, yy, yz, xy * yz - xz * yy, xz * yx - xx * yz, xx * yy - xy * yx);
   quatNormalize(out, o);
 }

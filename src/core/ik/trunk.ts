@@ -4,7 +4,13 @@
  * FABRIK's forward step over the spine: the shoulder is drawn to where the arm just reaches, and the spine's joints
  * share the turn that takes it there, each within a limit [Aristidou and Lasenby 2011, §4].
  */
-import { quatBetween, quatInverseMultiply, quatMultiply, quatNormalize, quatSlerp } from "../math/quaternion.ts";
+import {
+  quatBetween,
+  quatInverseMultiply,
+  quatMultiply,
+  quatNormalize,
+  quatSlerp,
+} from "../math/quaternion.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
 import { J } from "../skeleton/joints.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";

@@ -4,7 +4,13 @@
  * The middle joint bends in the plane that the pose given shows, then the whole limb turns the shortest way onto its
  * target, so the twist of the data's pose is kept.
  */
-import { quatBetween, quatInverseMultiply, quatMultiply, quatNormalize, quatRotate } from "../math/quaternion.ts";
+import {
+  quatBetween,
+  quatInverseMultiply,
+  quatMultiply,
+  quatNormalize,
+  quatRotate,
+} from "../math/quaternion.ts";
 
 const work = new Float64Array(32);
 
@@ -99,7 +105,15 @@ export function solveTwoBone(
   positions[3 * lower] = kx;
   positions[3 * lower + 1] = ky;
   positions[3 * lower + 2] = kz;
-  quatRotate(work, 0, worldRotations, 4 * lower, offsets[3 * end], offsets[3 * end + 1], offsets[3 * end + 2]);
+  quatRotate(
+    work,
+    0,
+    worldRotations,
+    4 * lower,
+    offsets[3 * end],
+    offsets[3 * end + 1],
+    offsets[3 * end + 2],
+  );
   positions[3 * end] = kx + work[0];
   positions[3 * end + 1] = ky + work[1];
   positions[3 * end + 2] = kz + work[2];

@@ -20,7 +20,11 @@ export function toLocal(frame: GroundPose, p: GroundPose): GroundPose {
 export function toWorld(frame: GroundPose, p: GroundPose): GroundPose {
   const c = Math.cos(frame.yaw);
   const s = Math.sin(frame.yaw);
-  return { x: frame.x + c * p.x + s * p.z, z: frame.z - s * p.x + c * p.z, yaw: wrapAngle(frame.yaw + p.yaw) };
+  return {
+    x: frame.x + c * p.x + s * p.z,
+    z: frame.z - s * p.x + c * p.z,
+    yaw: wrapAngle(frame.yaw + p.yaw),
+  };
 }
 
 /** Midpoint and mean yaw of two poses: the frame between the feet. */

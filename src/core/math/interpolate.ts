@@ -1,7 +1,7 @@
 /** Small one-dimensional tools: easing, tables, and smoothing of tracks. */
 
 /** Clamp to [0, 1]. */
-export const unit = (u: number): number => (u <= 0 ? 0 : u >= 1 ? 1 : u);
+export const unit = (u: number): number => (u <= 0 ? 0 : Math.min(u, 1));
 
 /** 0 to 1 with no speed at either end. */
 export function smoothstep(u: number): number {
@@ -60,7 +60,12 @@ export function readMonotone(times: readonly number[], values: readonly number[]
   const m1 = slope(i + 1) * h;
   const u2 = u * u;
   const u3 = u2 * u;
-  return (2 * u3 - 3 * u2 + 1) * values[i] + (u3 - 2 * u2 + u) * m0 + (3 * u2 - 2 * u3) * values[i + 1] + (u3 - u2) * m1;
+  return (
+    (2 * u3 - 3 * u2 + 1) * values[i] +
+    (u3 - 2 * u2 + u) * m0 +
+    (3 * u2 - 2 * u3) * values[i + 1] +
+    (u3 - u2) * m1
+  );
 }
 
 /** Gaussian smoothing of a track in place: `stride` numbers a frame, standard deviation in frames, ends held. */
@@ -73,7 +78,8 @@ export function gaussian(track: Float64Array, stride: number, sigma: number): vo
   for (let c = 0; c < stride; c++) {
     for (let f = 0; f < n; f++) {
       let s = 0;
-      for (let k = -r; k <= r; k++) s += kernel[k + r] * copy[stride * Math.max(0, Math.min(n - 1, f + k)) + c];
+      for (let k = -r; k <= r; k++)
+        s += kernel[k + r] * copy[stride * Math.max(0, Math.min(n - 1, f + k)) + c];
       track[stride * f + c] = s / total;
     }
   }

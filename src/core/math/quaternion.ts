@@ -37,7 +37,14 @@ export function quatMultiply(out: Numbers, o: number, a: Numbers, ai: number, b:
 }
 
 /** out = conjugate(a) b. */
-export function quatInverseMultiply(out: Numbers, o: number, a: Numbers, ai: number, b: Numbers, bi: number): void {
+export function quatInverseMultiply(
+  out: Numbers,
+  o: number,
+  a: Numbers,
+  ai: number,
+  b: Numbers,
+  bi: number,
+): void {
   const ax = -a[ai];
   const ay = -a[ai + 1];
   const az = -a[ai + 2];
@@ -59,7 +66,9 @@ export function quatConjugate(out: Numbers, o: number, a: Numbers, ai: number): 
 
 /** Scaled to unit length; the identity when it has none. */
 export function quatNormalize(out: Numbers, o: number): void {
-  const n = Math.sqrt(out[o] * out[o] + out[o + 1] * out[o + 1] + out[o + 2] * out[o + 2] + out[o + 3] * out[o + 3]);
+  const n = Math.sqrt(
+    out[o] * out[o] + out[o + 1] * out[o + 1] + out[o + 2] * out[o + 2] + out[o + 3] * out[o + 3],
+  );
   if (n < 1e-12) {
     quatIdentity(out, o);
     return;
@@ -68,7 +77,14 @@ export function quatNormalize(out: Numbers, o: number): void {
   for (let k = 0; k < 4; k++) out[o + k] *= f;
 }
 
-export function quatFromAxisAngle(out: Numbers, o: number, x: number, y: number, z: number, angle: number): void {
+export function quatFromAxisAngle(
+  out: Numbers,
+  o: number,
+  x: number,
+  y: number,
+  z: number,
+  angle: number,
+): void {
   const s = Math.sin(angle / 2);
   quatSet(out, o, x * s, y * s, z * s, Math.cos(angle / 2));
 }
@@ -94,7 +110,13 @@ export function quatToRotationVector(out: Numbers, o: number, a: Numbers, ai: nu
 }
 
 /** Intrinsic yaw (about y), pitch (about x), roll (about z): R = Ry Rx Rz. Radians. */
-export function quatFromYawPitchRoll(out: Numbers, o: number, yaw: number, pitch: number, roll: number): void {
+export function quatFromYawPitchRoll(
+  out: Numbers,
+  o: number,
+  yaw: number,
+  pitch: number,
+  roll: number,
+): void {
   const cy = Math.cos(yaw / 2);
   const sy = Math.sin(yaw / 2);
   const cx = Math.cos(pitch / 2);
@@ -112,7 +134,15 @@ export function quatFromYawPitchRoll(out: Numbers, o: number, yaw: number, pitch
 }
 
 /** Spherical interpolation along the shorter arc; `out` may be an operand. */
-export function quatSlerp(out: Numbers, o: number, a: Numbers, ai: number, b: Numbers, bi: number, t: number): void {
+export function quatSlerp(
+  out: Numbers,
+  o: number,
+  a: Numbers,
+  ai: number,
+  b: Numbers,
+  bi: number,
+  t: number,
+): void {
   const ax = a[ai];
   const ay = a[ai + 1];
   const az = a[ai + 2];

@@ -8,12 +8,15 @@ export function savitzkyGolay(track: Float64Array, stride: number, half: number)
   const m = 2 * half + 1;
   const weights = Float64Array.from({ length: m }, (_, k) => {
     const i = k - half;
-    return (3 * (3 * half * half + 3 * half - 1 - 5 * i * i)) / ((2 * half + 3) * (2 * half + 1) * (2 * half - 1));
+    return (
+      (3 * (3 * half * half + 3 * half - 1 - 5 * i * i)) / ((2 * half + 3) * (2 * half + 1) * (2 * half - 1))
+    );
   });
   for (let f = 0; f < n; f++) {
     for (let c = 0; c < stride; c++) {
       let s = 0;
-      for (let k = 0; k < m; k++) s += weights[k] * track[stride * Math.max(0, Math.min(n - 1, f + k - half)) + c];
+      for (let k = 0; k < m; k++)
+        s += weights[k] * track[stride * Math.max(0, Math.min(n - 1, f + k - half)) + c];
       out[stride * f + c] = s;
     }
   }

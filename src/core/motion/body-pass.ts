@@ -112,7 +112,12 @@ const FEET = [J.leftFoot, J.rightFoot] as const;
 const TOES = [J.leftToes, J.rightToes] as const;
 
 /** Fills the track from frame `from` (a segment's first, or 0) to its end. */
-export function runBodyPass(track: BodyTrack, setups: readonly SegmentSetup[], skeleton: Skeleton, state: BodyState): void {
+export function runBodyPass(
+  track: BodyTrack,
+  setups: readonly SegmentSetup[],
+  skeleton: Skeleton,
+  state: BodyState,
+): void {
   setups.forEach((setup, index) => {
     const { segment } = setup;
     beginSegment(track, setup, state);
@@ -133,7 +138,11 @@ export function runBodyPass(track: BodyTrack, setups: readonly SegmentSetup[], s
 /** Fraction of the swing foot's way at a source frame; 0 before, 1 after. */
 function travelled(setup: SegmentSetup, source: number): number {
   if (!setup.step) return 0;
-  return source <= setup.step.start ? 0 : source >= setup.step.end ? 1 : readTable(setup.travel, source - setup.step.start);
+  return source <= setup.step.start
+    ? 0
+    : source >= setup.step.end
+      ? 1
+      : readTable(setup.travel, source - setup.step.start);
 }
 
 /** The capture's pose at a frame, laid on the plan's ground. */
@@ -219,7 +228,8 @@ function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): 
 /** Root and joints of a frame with what is left of the last join. */
 function writeFrame(track: BodyTrack, frame: number, body: Body, state: BodyState): void {
   const r = state.rootInertia;
-  for (let k = 0; k < 3; k++) track.root[3 * frame + k] = body.root[k] + decay(r.value[k], r.speed[k], r.age, r.length);
+  for (let k = 0; k < 3; k++)
+    track.root[3 * frame + k] = body.root[k] + decay(r.value[k], r.speed[k], r.age, r.length);
   const ji = state.jointInertia;
   const base = Q * frame;
   if (ji.age >= ji.length) {
@@ -241,7 +251,14 @@ function writeFrame(track: BodyTrack, frame: number, body: Body, state: BodyStat
 }
 
 /** Both feet of a frame, and its contacts. */
-function writeFeet(track: BodyTrack, frame: number, setup: SegmentSetup, source: number, skeleton: Skeleton, state: BodyState): void {
+function writeFeet(
+  track: BodyTrack,
+  frame: number,
+  setup: SegmentSetup,
+  source: number,
+  skeleton: Skeleton,
+  state: BodyState,
+): void {
   let contacts = 0;
   for (let f = 0 as 0 | 1; f < 2; f = (f + 1) as 0 | 1) {
     const o = (2 * frame + f) * FOOT_STRIDE;
@@ -250,10 +267,20 @@ function writeFeet(track: BodyTrack, frame: number, setup: SegmentSetup, source:
     const landed = step !== null && source >= step.end;
     const pi = state.pitchInertia[f];
     const raw = Math.max(LEAST_PITCH, Math.min(MOST_PITCH, here.pitch[f]));
-    const pitch = Math.max(LEAST_PITCH, Math.min(MOST_PITCH, raw + decay(pi.value[0], pi.speed[0], pi.age, pi.length)));
+    const pitch = Math.max(
+      LEAST_PITCH,
+      Math.min(MOST_PITCH, raw + decay(pi.value[0], pi.speed[0], pi.age, pi.length)),
+    );
     if (!moving) {
       const on = landed ? setup.planAfter[f] : setup.planBefore[f];
-      plantedFoot(track.feet, o, skeleton.foot, on, landed ? setup.heightAfter[f] : setup.heightBefore[f], pitch);
+      plantedFoot(
+        track.feet,
+        o,
+        skeleton.foot,
+        on,
+        landed ? setup.heightAfter[f] : setup.heightBefore[f],
+        pitch,
+      );
       contacts |= contactsOfPitch(pitch) << (2 * f);
       state.lastPitchSpeed[f] = frame > 0 ? pitch - state.lastPitch[f] : 0;
       state.lastPitch[f] = pitch;
@@ -263,7 +290,8 @@ function writeFeet(track: BodyTrack, frame: number, setup: SegmentSetup, source:
     if (setup.pivot) {
       const y0 = setup.yaw[0];
       const y1 = setup.yaw[setup.yaw.length - 1];
-      const done = Math.abs(y1 - y0) > 0.02 ? (readTable(setup.yaw, t) - y0) / (y1 - y0) : readTable(setup.travel, t);
+      const done =
+        Math.abs(y1 - y0) > 0.02 ? (readTable(setup.yaw, t) - y0) / (y1 - y0) : readTable(setup.travel, t);
       const from = setup.planBefore[f];
       const turn = wrapAngle(setup.planAfter[f].yaw - from.yaw);
       const on = pivotPlace(skeleton.foot, from, from.yaw + turn * done, setup.pivot);
@@ -294,7 +322,13 @@ function writeFeet(track: BodyTrack, frame: number, setup: SegmentSetup, source:
 const smooth = (u: number): number => u * u * u * (u * (6 * u - 15) + 10);
 
 /** The gaps between the warped capture and the closed form at both ends of a swing. */
-function startSwing(setup: SegmentSetup, f: 0 | 1, skeleton: Skeleton, state: BodyState, pitch: number): void {
+function startSwing(
+  setup: SegmentSetup,
+  f: 0 | 1,
+  skeleton: Skeleton,
+  state: BodyState,
+  pitch: number,
+): void {
   const step = setup.step!;
   mapBody(next, setup, step.start);
   plantedFoot(row, 0, skeleton.foot, setup.planBefore[f], setup.heightBefore[f], pitch);
@@ -307,7 +341,14 @@ function startSwing(setup: SegmentSetup, f: 0 | 1, skeleton: Skeleton, state: Bo
 
 const swung = new Float64Array(FOOT_STRIDE);
 
-function gap(out: Float64Array, o: number, setup: SegmentSetup, f: 0 | 1, source: number, target: Float64Array): void {
+function gap(
+  out: Float64Array,
+  o: number,
+  setup: SegmentSetup,
+  f: 0 | 1,
+  source: number,
+  target: Float64Array,
+): void {
   swingFoot(swung, 0, setup, f, source, next);
   for (let k = 0; k < 3; k++) out[o + k] = target[k] - swung[k];
   quatConjugate(q, 0, swung, 3);
@@ -326,7 +367,14 @@ function addGap(feet: Float64Array, o: number, gaps: Float64Array, g: number, we
 }
 
 /** The capture's swing foot between its footsteps on the plan: warped by the fraction of the way travelled. */
-function swingFoot(out: Float64Array, o: number, setup: SegmentSetup, f: 0 | 1, source: number, body: Body): void {
+function swingFoot(
+  out: Float64Array,
+  o: number,
+  setup: SegmentSetup,
+  f: 0 | 1,
+  source: number,
+  body: Body,
+): void {
   const w = travelled(setup, source);
   const i = f * FOOT_STRIDE;
   const turn0 = wrapAngle(setup.planBefore[f].yaw - setup.sourceBefore[f].yaw);
@@ -343,7 +391,14 @@ function swingFoot(out: Float64Array, o: number, setup: SegmentSetup, f: 0 | 1, 
   out[o + 7] = body.feet[i + 7];
 }
 
-function lay(out: Float64Array, source: GroundPose, plan: GroundPose, turn: number, x: number, z: number): void {
+function lay(
+  out: Float64Array,
+  source: GroundPose,
+  plan: GroundPose,
+  turn: number,
+  x: number,
+  z: number,
+): void {
   const c = Math.cos(turn);
   const s = Math.sin(turn);
   const dx = x - source.x;

@@ -11,7 +11,14 @@ export const FOOT_STRIDE = 8;
 const place = new Float64Array(3);
 
 /** A planted foot at `pitch` (toe up positive) on a footstep of ground height `height`. */
-export function plantedFoot(out: Float64Array, o: number, shape: FootShape, step: GroundPose, height: number, pitch: number): void {
+export function plantedFoot(
+  out: Float64Array,
+  o: number,
+  shape: FootShape,
+  step: GroundPose,
+  height: number,
+  pitch: number,
+): void {
   plantedAnkle(place, shape, pitch);
   out[o] = step.x + Math.sin(step.yaw) * place[0];
   out[o + 1] = height + place[1];

@@ -41,7 +41,14 @@ export function mapTurn(map: GroundMap, w: number): number {
 }
 
 /** A ground point of the capture in the plan at fraction w: x to out[o], z to out[o + 2]. */
-export function mapPoint(out: Float64Array, o: number, map: GroundMap, w: number, x: number, z: number): void {
+export function mapPoint(
+  out: Float64Array,
+  o: number,
+  map: GroundMap,
+  w: number,
+  x: number,
+  z: number,
+): void {
   const turn = mapTurn(map, w);
   const c = Math.cos(turn);
   const s = Math.sin(turn);

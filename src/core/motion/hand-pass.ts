@@ -51,7 +51,13 @@ export function createHandState(windows: TaskWindow[], frames: number): HandStat
       place,
       first,
       last,
-      track: { lift: lift.task.id, place: place?.task.id ?? null, first, frames: last - first + 1, transforms: new Float32Array(7 * (last - first + 1)) },
+      track: {
+        lift: lift.task.id,
+        place: place?.task.id ?? null,
+        first,
+        frames: last - first + 1,
+        transforms: new Float32Array(7 * (last - first + 1)),
+      },
     });
   };
   for (const w of windows) {
@@ -64,7 +70,13 @@ export function createHandState(windows: TaskWindow[], frames: number): HandStat
     }
   }
   if (open) close(open, null);
-  return { windows, carries, ink: [], gaps: new Float64Array(3 * Math.max(1, windows.length)), penStart: new Float64Array(3 * Math.max(1, windows.length)) };
+  return {
+    windows,
+    carries,
+    ink: [],
+    gaps: new Float64Array(3 * Math.max(1, windows.length)),
+    penStart: new Float64Array(3 * Math.max(1, windows.length)),
+  };
 }
 
 const v = new Float64Array(12);
@@ -75,7 +87,14 @@ const wr = new Float64Array(4 * JOINT_COUNT);
 const q = new Float64Array(4);
 
 /** Palm or pen point of a hand: beyond the joint along the hand. */
-function tip(out: Float64Array, o: number, positions: Float64Array, world: Float64Array, side: number, skeleton: Skeleton): void {
+function tip(
+  out: Float64Array,
+  o: number,
+  positions: Float64Array,
+  world: Float64Array,
+  side: number,
+  skeleton: Skeleton,
+): void {
   const hand = side === 0 ? J.leftHand : J.rightHand;
   quatRotate(out, o, world, 4 * hand, side === 0 ? skeleton.palm : -skeleton.palm, 0, 0);
   for (let k = 0; k < 3; k++) out[o + k] += positions[3 * hand + k];
@@ -125,7 +144,16 @@ export function handTargets(
 }
 
 /** The hand joint that puts the tip at (x, y, z), the hand pointing as it does. */
-function joint(targets: HandTargets, side: number, limbs: LimbWorkspace, x: number, y: number, z: number, weight: number, skeleton: Skeleton): void {
+function joint(
+  targets: HandTargets,
+  side: number,
+  limbs: LimbWorkspace,
+  x: number,
+  y: number,
+  z: number,
+  weight: number,
+  skeleton: Skeleton,
+): void {
   const hand = side === 0 ? J.leftHand : J.rightHand;
   quatRotate(v, 9, limbs.world, 4 * hand, side === 0 ? skeleton.palm : -skeleton.palm, 0, 0);
   targets.weight[side] = Math.max(targets.weight[side], weight);
@@ -175,7 +203,16 @@ function writeTarget(
     else if (frame >= w.contact) breakStroke(state, w);
     for (let k = 0; k < 3; k++) state.gaps[g + k] = [x, y, z][k] - v[6 + k];
   } else if (frame > w.end) breakStroke(state, w);
-  joint(targets, side, limbs, v[6] + weight * state.gaps[g], v[7] + weight * state.gaps[g + 1], v[8] + weight * state.gaps[g + 2], 1, skeleton);
+  joint(
+    targets,
+    side,
+    limbs,
+    v[6] + weight * state.gaps[g],
+    v[7] + weight * state.gaps[g + 1],
+    v[8] + weight * state.gaps[g + 2],
+    1,
+    skeleton,
+  );
 }
 
 /** Looks ahead to where the capture's pen is at contact, so that the lead aims there from the start. */
@@ -193,7 +230,12 @@ function tipAtContact(state: HandState, index: number, side: number, setup: Segm
 function note(state: HandState, w: TaskWindow, frame: number, x: number, y: number, z: number): void {
   let stroke = state.ink[state.ink.length - 1];
   const time = frame / 60;
-  if (!stroke || stroke.task !== w.task.id || stroke.times.length === 0 || time - stroke.times[stroke.times.length - 1] > 0.03) {
+  if (
+    !stroke ||
+    stroke.task !== w.task.id ||
+    stroke.times.length === 0 ||
+    time - stroke.times[stroke.times.length - 1] > 0.03
+  ) {
     if (stroke && stroke.task === w.task.id && stroke.times.length === 0) stroke.times.length = 0;
     else {
       stroke = { task: w.task.id, times: [], points: [] };
@@ -206,10 +248,19 @@ function note(state: HandState, w: TaskWindow, frame: number, x: number, y: numb
 
 function breakStroke(state: HandState, w: TaskWindow): void {
   const stroke = state.ink[state.ink.length - 1];
-  if (stroke && stroke.task === w.task.id && stroke.times.length > 0) state.ink.push({ task: w.task.id, times: [], points: [] });
+  if (stroke && stroke.task === w.task.id && stroke.times.length > 0)
+    state.ink.push({ task: w.task.id, times: [], points: [] });
 }
 
-function boxTargets(targets: HandTargets, state: HandState, limbs: LimbWorkspace, setup: SegmentSetup, source: number, frame: number, skeleton: Skeleton): void {
+function boxTargets(
+  targets: HandTargets,
+  state: HandState,
+  limbs: LimbWorkspace,
+  setup: SegmentSetup,
+  source: number,
+  frame: number,
+  skeleton: Skeleton,
+): void {
   for (const carry of state.carries) {
     const { lift, place } = carry;
     const over = place ? place.over : carry.last + 1;
@@ -231,14 +282,33 @@ function boxTargets(targets: HandTargets, state: HandState, limbs: LimbWorkspace
         // At contact the hands' middle is the box's centre.
         for (let k = 0; k < 3; k++) state.gaps[g + k] = mid[k] - body[k];
         if (frame <= w.contact || w === place) correctAtContact(state, w, i, setup);
-        const fade = w === lift ? (frame <= w.contact ? 1 : 1 - minimumJerk((frame - w.contact) / Math.max(1, w.end - w.contact))) : 1;
+        const fade =
+          w === lift
+            ? frame <= w.contact
+              ? 1
+              : 1 - minimumJerk((frame - w.contact) / Math.max(1, w.end - w.contact))
+            : 1;
         for (let k = 0; k < 3; k++) state.gaps[g + k] -= fade * state.penStart[g + k];
       }
       for (let k = 0; k < 3; k++) centre[k] += weight * state.gaps[g + k];
-      const toTask = w === lift ? (frame <= w.contact ? weight : weight * (1 - minimumJerk((frame - w.contact) / Math.max(1, w.end - w.contact)))) : frame <= w.contact ? weight : 1;
+      const toTask =
+        w === lift
+          ? frame <= w.contact
+            ? weight
+            : weight * (1 - minimumJerk((frame - w.contact) / Math.max(1, w.end - w.contact)))
+          : frame <= w.contact
+            ? weight
+            : 1;
       yaw = wrapAngle(yaw + toTask * wrapAngle(w.target.yaw - yaw));
     }
-    const reach = frame < carry.first ? windowWeight(lift, frame) : held ? 1 : place ? 1 - minimumJerk((frame - place.contact) / Math.max(1, Math.min(40, place.over - place.contact))) : 1;
+    const reach =
+      frame < carry.first
+        ? windowWeight(lift, frame)
+        : held
+          ? 1
+          : place
+            ? 1 - minimumJerk((frame - place.contact) / Math.max(1, Math.min(40, place.over - place.contact)))
+            : 1;
     if (held) {
       const t = carry.track.transforms;
       const o = 7 * (frame - carry.first);

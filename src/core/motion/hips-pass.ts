@@ -19,7 +19,11 @@ const SOFT = 8;
 const v = new Float64Array(6);
 
 /** Leads the hips onto seats: from the body's own way to the capture's place at the seat. Mutates `track.root`. */
-export function leadToSeats(track: BodyTrack, setups: readonly SegmentSetup[], windows: readonly TaskWindow[]): void {
+export function leadToSeats(
+  track: BodyTrack,
+  setups: readonly SegmentSetup[],
+  windows: readonly TaskWindow[],
+): void {
   for (const w of windows) {
     if (w.task.category !== "sit") continue;
     const gap = new Float64Array(3);

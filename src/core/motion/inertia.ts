@@ -27,7 +27,13 @@ export interface Inertia {
 }
 
 export function createInertia(channels: number): Inertia {
-  return { channels, value: new Float64Array(channels), speed: new Float64Array(channels), age: 0, length: 0 };
+  return {
+    channels,
+    value: new Float64Array(channels),
+    speed: new Float64Array(channels),
+    age: 0,
+    length: 0,
+  };
 }
 
 /** Present offset of a channel. */

@@ -3,12 +3,18 @@
  * arm is too short [TaskLoco §6, Figure 12].
  */
 import { solveLeg } from "../ik/leg.ts";
+import { bendTrunk } from "../ik/trunk.ts";
 import { solveTwoBone } from "../ik/two-bone.ts";
-import { quatFromAxisAngle, quatInverseMultiply, quatMultiply, quatNormalize, quatRotate } from "../math/quaternion.ts";
+import {
+  quatFromAxisAngle,
+  quatInverseMultiply,
+  quatMultiply,
+  quatNormalize,
+  quatRotate,
+} from "../math/quaternion.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
-import { bendTrunk } from "../ik/trunk.ts";
 import type { BodyTrack } from "./body-pass.ts";
 import { FOOT_STRIDE } from "./foot-pose.ts";
 

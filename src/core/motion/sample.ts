@@ -21,5 +21,6 @@ export function sampleClip(root: Float64Array, rotations: Float64Array, clip: Cl
     return;
   }
   for (let k = 0; k < 3; k++) root[k] = clip.root[3 * i + k] * (1 - u) + clip.root[3 * i + 3 + k] * u;
-  for (let j = 0; j < JOINT_COUNT; j++) quatSlerp(rotations, 4 * j, clip.rotations, a + 4 * j, clip.rotations, a + STRIDE + 4 * j, u);
+  for (let j = 0; j < JOINT_COUNT; j++)
+    quatSlerp(rotations, 4 * j, clip.rotations, a + 4 * j, clip.rotations, a + STRIDE + 4 * j, u);
 }

@@ -45,7 +45,11 @@ const positions = new Float64Array(JOINT_COUNT * 3);
 const world = new Float64Array(JOINT_COUNT * 4);
 
 /** All segments of a plan, ready to be played. Caches the capture's swing paths in `cache`. */
-export function setUpSegments(library: Library, plan: Plan, cache: Map<Step, { travel: Float64Array; yaw: Float64Array }>): SegmentSetup[] {
+export function setUpSegments(
+  library: Library,
+  plan: Plan,
+  cache: Map<Step, { travel: Float64Array; yaw: Float64Array }>,
+): SegmentSetup[] {
   const feet: Feet = { left: plan.start[0], right: plan.start[1] };
   return plan.segments.map((segment, i) => {
     const source = library.clips[segment.clip];

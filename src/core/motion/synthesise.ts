@@ -12,9 +12,15 @@ import type { Plan } from "../tasks/plan-types.ts";
 import type { TaskGoal } from "../tasks/transition.ts";
 import type { Library } from "../templates/types.ts";
 import { type BodyTrack, createBodyState, createBodyTrack, runBodyPass } from "./body-pass.ts";
-import { createHandState, handTargets, type HandState, inkOf } from "./hand-pass.ts";
+import { createHandState, type HandState, handTargets, inkOf } from "./hand-pass.ts";
 import { leadToSeats, reachWithLegs } from "./hips-pass.ts";
-import { closeArms, closeLegs, createLimbWorkspace, type HandTargets, type LimbWorkspace } from "./limb-pass.ts";
+import {
+  closeArms,
+  closeLegs,
+  createLimbWorkspace,
+  type HandTargets,
+  type LimbWorkspace,
+} from "./limb-pass.ts";
 import { type SegmentSetup, setUpSegments } from "./segment-setup.ts";
 import { taskWindows } from "./task-windows.ts";
 import type { BoxTrack, InkStroke, MotionChunk } from "./types.ts";
@@ -35,7 +41,13 @@ export interface Synthesis {
 export type SwingCache = Map<Step, { travel: Float64Array; yaw: Float64Array }>;
 
 /** First pass: where root and feet are in every frame of the plan. */
-export function beginSynthesis(library: Library, skeleton: Skeleton, plan: Plan, goals: readonly TaskGoal[], cache: SwingCache): Synthesis {
+export function beginSynthesis(
+  library: Library,
+  skeleton: Skeleton,
+  plan: Plan,
+  goals: readonly TaskGoal[],
+  cache: SwingCache,
+): Synthesis {
   const frames = Math.max(1, Math.round(plan.duration * CLIP_RATE));
   const setups = setUpSegments(library, plan, cache);
   const track = createBodyTrack(frames);

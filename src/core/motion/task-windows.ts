@@ -34,7 +34,11 @@ const LEAD = { write: 0.7, lift: 0.8, place: 0.9, sit: 0.9, stand: 0, turn: 0 } 
 const RELEASE = { write: 0.5, lift: 0.9, place: 0.6, sit: 0.8, stand: 0, turn: 0 } as const;
 
 /** The windows of a plan's tasks, in order. */
-export function taskWindows(library: Library, plan: Plan, goals: ReadonlyMap<string, TaskGoal>): TaskWindow[] {
+export function taskWindows(
+  library: Library,
+  plan: Plan,
+  goals: ReadonlyMap<string, TaskGoal>,
+): TaskWindow[] {
   const out: TaskWindow[] = [];
   plan.tasks.forEach((t, index) => {
     const task = goals.get(t.id);
@@ -67,7 +71,14 @@ export function windowWeight(w: TaskWindow, frame: number): number {
 }
 
 /** A point of the capture, laid from its task's frame onto the scene's: out[o..o+2]. */
-export function mapByTask(out: Float64Array, o: number, w: TaskWindow, x: number, y: number, z: number): void {
+export function mapByTask(
+  out: Float64Array,
+  o: number,
+  w: TaskWindow,
+  x: number,
+  y: number,
+  z: number,
+): void {
   const turn = w.target.yaw - w.source.yaw;
   const c = Math.cos(turn);
   const s = Math.sin(turn);

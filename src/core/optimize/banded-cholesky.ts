@@ -14,7 +14,7 @@ export function factorBand(band: Float64Array, n: number, width: number, floor: 
       let sum = band[rb + k];
       const jMax = Math.min(width - 1 - k, c);
       for (let j = 1; j <= jMax; j++) sum -= band[rb + k + j] * band[cb + j];
-      if (k === 0) band[rb] = Math.sqrt(sum > floor ? sum : floor);
+      if (k === 0) band[rb] = Math.sqrt(Math.max(sum, floor));
       else band[rb + k] = sum / band[cb];
     }
   }

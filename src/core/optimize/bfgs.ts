@@ -79,7 +79,13 @@ function largest(a: Float64Array, n: number): number {
  *
  * @param n number of variables, at most the workspace's capacity.
  */
-export function minimiseBfgs(objective: Objective, x: Float64Array, n: number, w: BfgsWorkspace, options: BfgsOptions = {}): BfgsResult {
+export function minimiseBfgs(
+  objective: Objective,
+  x: Float64Array,
+  n: number,
+  w: BfgsWorkspace,
+  options: BfgsOptions = {},
+): BfgsResult {
   const tolerance = options.gradientTolerance ?? 1e-6;
   const most = options.maxIterations ?? 200;
   const { grad, direction: d, trialX, trialGrad } = w;
@@ -97,7 +103,8 @@ export function minimiseBfgs(objective: Objective, x: Float64Array, n: number, w
       for (let i = 0; i < n; i++) d[i] = -grad[i];
       slope = dot(d, grad, n);
     }
-    const first = stored === 0 && !options.precondition ? Math.min(1, 1 / Math.max(1e-12, largest(grad, n))) : 1;
+    const first =
+      stored === 0 && !options.precondition ? Math.min(1, 1 / Math.max(1e-12, largest(grad, n))) : 1;
     const search = lineSearch(objective, x, f, slope, n, first, w);
     evaluations += search.evaluations;
     if (search.step === 0) {
@@ -133,7 +140,13 @@ export function minimiseBfgs(objective: Objective, x: Float64Array, n: number, w
 }
 
 /** d = -H grad by the two-loop recursion. */
-function twoLoop(w: BfgsWorkspace, n: number, stored: number, head: number, precondition: BfgsOptions["precondition"]): void {
+function twoLoop(
+  w: BfgsWorkspace,
+  n: number,
+  stored: number,
+  head: number,
+  precondition: BfgsOptions["precondition"],
+): void {
   const d = w.direction;
   for (let i = 0; i < n; i++) d[i] = -w.grad[i];
   for (let k = 1; k <= stored; k++) {
@@ -162,7 +175,15 @@ function twoLoop(w: BfgsWorkspace, n: number, stored: number, head: number, prec
 const outcome = { step: 0, f: 0, evaluations: 0 };
 
 /** Strong Wolfe step along w.direction: leaves x + step d in trialX and its gradient in trialGrad. Step 0: none found. */
-function lineSearch(objective: Objective, x: Float64Array, f0: number, slope0: number, n: number, first: number, w: BfgsWorkspace): typeof outcome {
+function lineSearch(
+  objective: Objective,
+  x: Float64Array,
+  f0: number,
+  slope0: number,
+  n: number,
+  first: number,
+  w: BfgsWorkspace,
+): typeof outcome {
   const { direction: d, trialX, trialGrad } = w;
   let evaluations = 0;
   const probe = (t: number) => {

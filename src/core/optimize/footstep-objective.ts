@@ -151,7 +151,28 @@ export function evaluateFootsteps(
           grad[b - 2] += g4 * vz;
         }
       }
-      if (band) addBand(band, o, i, n, wd, ws, wo * decay, k >= 0 ? wg * decay : 0, line ? wl : 0, c, s, lateral, forward, ex, ez, vx, vz, nx, nz);
+      if (band)
+        addBand(
+          band,
+          o,
+          i,
+          n,
+          wd,
+          ws,
+          wo * decay,
+          k >= 0 ? wg * decay : 0,
+          line ? wl : 0,
+          c,
+          s,
+          lateral,
+          forward,
+          ex,
+          ez,
+          vx,
+          vz,
+          nx,
+          nz,
+        );
     }
     ax = px;
     az = pz;

@@ -34,9 +34,15 @@ export interface OptimizeOptions {
  *
  * @throws RangeError when the problem has more footsteps than the workspace has room for.
  */
-export function optimizeFootsteps(problem: FootstepProblem, x: Float64Array, w: FootstepWorkspace, options: OptimizeOptions = {}): BfgsResult {
+export function optimizeFootsteps(
+  problem: FootstepProblem,
+  x: Float64Array,
+  w: FootstepWorkspace,
+  options: OptimizeOptions = {},
+): BfgsResult {
   const n = 3 * problem.n;
-  if (problem.n > w.capacity) throw new RangeError(`footsteps: at most ${w.capacity} fit the workspace, found ${problem.n}.`);
+  if (problem.n > w.capacity)
+    throw new RangeError(`footsteps: at most ${w.capacity} fit the workspace, found ${problem.n}.`);
   const pinned = problem.pinned;
   const note = options.trace
     ? (at: Float64Array) => {

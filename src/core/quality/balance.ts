@@ -27,7 +27,12 @@ const G = 9.81;
 const WIDTH = [0.2, 0.32, 0.25];
 
 /** Shares of frames with the zero-moment point within 1 cm and 5 cm of the support; seated frames count as supported. */
-export function balanceShares(points: MotionPoints, skeleton: Skeleton, plan: Plan, goals: readonly TaskGoal[]): { near: number | null; wide: number | null } {
+export function balanceShares(
+  points: MotionPoints,
+  skeleton: Skeleton,
+  plan: Plan,
+  goals: readonly TaskGoal[],
+): { near: number | null; wide: number | null } {
   const { frames, joints } = points;
   if (frames < 12) return { near: null, wide: null };
   const seated = new Uint8Array(frames);
@@ -62,7 +67,9 @@ function zeroMoment(joints: Float64Array, frames: number): Float64Array {
   for (let f = 0; f < frames; f++) {
     for (let m = 0; m < n; m++) {
       const [, from, to, u] = MASSES[m];
-      for (let k = 0; k < 3; k++) at[3 * (f * n + m) + k] = joints[3 * (JOINT_COUNT * f + from) + k] * (1 - u) + joints[3 * (JOINT_COUNT * f + to) + k] * u;
+      for (let k = 0; k < 3; k++)
+        at[3 * (f * n + m) + k] =
+          joints[3 * (JOINT_COUNT * f + from) + k] * (1 - u) + joints[3 * (JOINT_COUNT * f + to) + k] * u;
     }
   }
   const out = new Float64Array(2 * frames);
@@ -108,7 +115,12 @@ function supportPoints(out: number[], points: MotionPoints, skeleton: Skeleton, 
     for (let k = 0; k < 3; k++) {
       if (k === 0 ? !(bits & 1) : !(bits & 2)) continue;
       const w = WIDTH[k] * base;
-      out.push(s[o + 3 * k] + dz * w, s[o + 3 * k + 2] - dx * w, s[o + 3 * k] - dz * w, s[o + 3 * k + 2] + dx * w);
+      out.push(
+        s[o + 3 * k] + dz * w,
+        s[o + 3 * k + 2] - dx * w,
+        s[o + 3 * k] - dz * w,
+        s[o + 3 * k + 2] + dx * w,
+      );
     }
   }
 }
@@ -118,7 +130,8 @@ function distanceToHull(flat: readonly number[], x: number, z: number): number {
   const points: [number, number][] = [];
   for (let i = 0; i < flat.length; i += 2) points.push([flat[i], flat[i + 1]]);
   points.sort((a, b) => a[0] - b[0] || a[1] - b[1]);
-  const cross = (o: [number, number], a: [number, number], b: [number, number]) => (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+  const cross = (o: [number, number], a: [number, number], b: [number, number]) =>
+    (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
   const half = (list: [number, number][]) => {
     const h: [number, number][] = [];
     for (const p of list) {

@@ -3,10 +3,11 @@
  *
  * Definitions follow docs/quality.md. Popping and jerk need reference captures to compare with and are left null here.
  */
-import { J, JOINT_COUNT } from "../skeleton/joints.ts";
-import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
+
 import { quatRotate } from "../math/quaternion.ts";
 import type { MotionChunk, QualityFigures } from "../motion/types.ts";
+import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
+import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Plan } from "../tasks/plan-types.ts";
 import type { TaskGoal } from "../tasks/transition.ts";
@@ -29,7 +30,11 @@ export interface MotionPoints {
 }
 
 /** Places of joints and soles over a motion. */
-export function motionPoints(skeleton: Skeleton, chunks: readonly MotionChunk[], frames: number): MotionPoints {
+export function motionPoints(
+  skeleton: Skeleton,
+  chunks: readonly MotionChunk[],
+  frames: number,
+): MotionPoints {
   const out: MotionPoints = {
     frames,
     joints: new Float64Array(3 * JOINT_COUNT * frames),
@@ -77,7 +82,13 @@ function p95(values: number[]): number | null {
 }
 
 /** The figures of a motion that answers a plan. Millimetres, degrees, shares. */
-export function measureMotion(skeleton: Skeleton, chunks: readonly MotionChunk[], frames: number, plan: Plan, goals: readonly TaskGoal[]): QualityFigures {
+export function measureMotion(
+  skeleton: Skeleton,
+  chunks: readonly MotionChunk[],
+  frames: number,
+  plan: Plan,
+  goals: readonly TaskGoal[],
+): QualityFigures {
   const points = motionPoints(skeleton, chunks, frames);
   const slides: number[] = [];
   const flats: number[] = [];
@@ -154,28 +165,49 @@ function runs(frames: number, on: (f: number) => boolean): [number, number][] {
 }
 
 /** Largest distance of hand, box or seat from its target at contact, mm. */
-function reachOf(points: MotionPoints, plan: Plan, goals: readonly TaskGoal[], skeleton: Skeleton): number | null {
+function reachOf(
+  points: MotionPoints,
+  plan: Plan,
+  goals: readonly TaskGoal[],
+  skeleton: Skeleton,
+): number | null {
   let worst: number | null = null;
   for (const t of plan.tasks) {
     const goal = goals.find((g) => g.id === t.id);
     if (!goal || t.clip < 0 || goal.category === "turn" || goal.category === "stand") continue;
     const f = Math.max(0, Math.min(points.frames - 1, Math.round(t.contact * 60)));
     const target = [goal.frame.x, goal.height, goal.frame.z];
-    const d = (x: number, y: number, z: number) => 1000 * Math.hypot(x - target[0], y - target[1], z - target[2]);
+    const d = (x: number, y: number, z: number) =>
+      1000 * Math.hypot(x - target[0], y - target[1], z - target[2]);
     const palm = (side: number, k: number) => points.palms[6 * f + 3 * side + k];
     let distance: number;
     if (goal.category === "write") {
       const side = goal.hand === "left" ? 0 : 1;
       distance = d(palm(side, 0), palm(side, 1), palm(side, 2));
     } else if (goal.category === "sit") {
-      const hip = (k: number) => (points.joints[3 * (JOINT_COUNT * f + J.leftUpperLeg) + k] + points.joints[3 * (JOINT_COUNT * f + J.rightUpperLeg) + k]) / 2;
+      const hip = (k: number) =>
+        (points.joints[3 * (JOINT_COUNT * f + J.leftUpperLeg) + k] +
+          points.joints[3 * (JOINT_COUNT * f + J.rightUpperLeg) + k]) /
+        2;
       distance = Number.POSITIVE_INFINITY;
       // The seat is met by a point 60 to 120 mm under the hip joints.
       for (let under = 0.06; under <= 0.1201; under += 0.01) {
         const u = under * (skeleton.height / 1.75);
-        distance = Math.min(distance, d(hip(0) - u * points.up[3 * f], hip(1) - u * points.up[3 * f + 1], hip(2) - u * points.up[3 * f + 2]));
+        distance = Math.min(
+          distance,
+          d(
+            hip(0) - u * points.up[3 * f],
+            hip(1) - u * points.up[3 * f + 1],
+            hip(2) - u * points.up[3 * f + 2],
+          ),
+        );
       }
-    } else distance = d((palm(0, 0) + palm(1, 0)) / 2, (palm(0, 1) + palm(1, 1)) / 2, (palm(0, 2) + palm(1, 2)) / 2);
+    } else
+      distance = d(
+        (palm(0, 0) + palm(1, 0)) / 2,
+        (palm(0, 1) + palm(1, 1)) / 2,
+        (palm(0, 2) + palm(1, 2)) / 2,
+      );
     worst = Math.max(worst ?? 0, distance);
   }
   return worst;
@@ -190,7 +222,10 @@ function footstepErrorOf(points: MotionPoints, plan: Plan): QualityFigures["foot
     const side = s.foot === "left" ? 0 : 1;
     const joint = side === 0 ? J.leftFoot : J.rightFoot;
     const next = plan.steps.findIndex((n, k) => k > i && n.foot === s.foot);
-    const until = Math.min(points.frames - 1, Math.round((next >= 0 ? plan.steps[next].lift : plan.duration) * 60));
+    const until = Math.min(
+      points.frames - 1,
+      Math.round((next >= 0 ? plan.steps[next].lift : plan.duration) * 60),
+    );
     for (let f = Math.round(s.land * 60); f < until; f++) {
       if (((points.contacts[f] >> (2 * side)) & 3) !== 3) continue;
       const o = 3 * (JOINT_COUNT * f + joint);
@@ -198,8 +233,14 @@ function footstepErrorOf(points: MotionPoints, plan: Plan): QualityFigures["foot
       // Flat: heel point and ball at one height.
       if (Math.abs(points.soles[(2 * f + side) * ROW + 1]) > 2e-4) continue;
       place = Math.max(place, 1000 * Math.hypot(points.joints[o] - s.x, points.joints[o + 2] - s.z));
-      const heading = Math.atan2(points.joints[toe] - points.joints[o], points.joints[toe + 2] - points.joints[o + 2]);
-      yaw = Math.max(yaw, Math.abs(Math.atan2(Math.sin(heading - s.yaw), Math.cos(heading - s.yaw))) * (180 / Math.PI));
+      const heading = Math.atan2(
+        points.joints[toe] - points.joints[o],
+        points.joints[toe + 2] - points.joints[o + 2],
+      );
+      yaw = Math.max(
+        yaw,
+        Math.abs(Math.atan2(Math.sin(heading - s.yaw), Math.cos(heading - s.yaw))) * (180 / Math.PI),
+      );
       judged++;
       break;
     }

@@ -7,7 +7,12 @@ import type { Scene, SceneProp, SceneTask } from "./types.ts";
 import { PROP_SIZES } from "./types.ts";
 
 /** A task with what stands under it moved rigidly to a place and yaw. Unknown ids change nothing. */
-export function placeTask(scene: Scene, id: string, position: readonly [number, number, number], yaw: number): Scene {
+export function placeTask(
+  scene: Scene,
+  id: string,
+  position: readonly [number, number, number],
+  yaw: number,
+): Scene {
   const task = scene.tasks.find((t) => t.id === id);
   if (!task) return scene;
   const mine = new Set(propsOfTask(scene, task).map((p) => p.id));
@@ -16,7 +21,9 @@ export function placeTask(scene: Scene, id: string, position: readonly [number, 
   const rise = position[1] - task.position[1];
   return {
     ...scene,
-    tasks: scene.tasks.map((t) => (t.id === id ? { ...t, position: [position[0], position[1], position[2]], yaw: wrapAngle(yaw) } : t)),
+    tasks: scene.tasks.map((t) =>
+      t.id === id ? { ...t, position: [position[0], position[1], position[2]], yaw: wrapAngle(yaw) } : t,
+    ),
     props: scene.props.map((p) => {
       if (!mine.has(p.id)) return p;
       const at = toWorld(to, toLocal(from, { x: p.position[0], z: p.position[2], yaw: p.yaw }));
@@ -33,7 +40,11 @@ export function placeTask(scene: Scene, id: string, position: readonly [number, 
 }
 
 /** Fields of a task changed in place. */
-export function changeTask(scene: Scene, id: string, change: Partial<Pick<SceneTask, "effort" | "duration" | "hand">>): Scene {
+export function changeTask(
+  scene: Scene,
+  id: string,
+  change: Partial<Pick<SceneTask, "effort" | "duration" | "hand">>,
+): Scene {
   return { ...scene, tasks: scene.tasks.map((t) => (t.id === id ? { ...t, ...change } : t)) };
 }
 
@@ -47,18 +58,45 @@ export function freeId(scene: Scene, stem: string): string {
 }
 
 /** Heights at which tasks are put down when they are added, metres. */
-const HEIGHTS: Record<TaskCategory, number> = { write: 1.4, lift: 0.88, place: 0.88, sit: 0.46, stand: 0, turn: 0 };
+const HEIGHTS: Record<TaskCategory, number> = {
+  write: 1.4,
+  lift: 0.88,
+  place: 0.88,
+  sit: 0.46,
+  stand: 0,
+  turn: 0,
+};
 
 /** Adds a task with its furniture at a ground place, last in the order. */
-export function addTask(scene: Scene, category: TaskCategory, x: number, z: number, yaw: number): { scene: Scene; id: string } {
+export function addTask(
+  scene: Scene,
+  category: TaskCategory,
+  x: number,
+  z: number,
+  yaw: number,
+): { scene: Scene; id: string } {
   const id = freeId(scene, category);
   const y = HEIGHTS[category];
-  const task: SceneTask = { id, category, effort: 1, position: [x, y, z], yaw: wrapAngle(yaw), duration: null, hand: "right" };
+  const task: SceneTask = {
+    id,
+    category,
+    effort: 1,
+    position: [x, y, z],
+    yaw: wrapAngle(yaw),
+    duration: null,
+    hand: "right",
+  };
   const frame = { x, z, yaw };
   const props: SceneProp[] = [];
   const add = (kind: SceneProp["kind"], height: number, ahead: number) => {
     const at = toWorld(frame, { x: 0, z: ahead, yaw: 0 });
-    props.push({ id: freeId({ ...scene, props: [...scene.props, ...props] }, kind), kind, position: [at.x, height, at.z], yaw: wrapAngle(yaw), size: [...PROP_SIZES[kind]] });
+    props.push({
+      id: freeId({ ...scene, props: [...scene.props, ...props] }, kind),
+      kind,
+      position: [at.x, height, at.z],
+      yaw: wrapAngle(yaw),
+      size: [...PROP_SIZES[kind]],
+    });
   };
   if (category === "write") add("board", 1.5, 0);
   if (category === "lift") {
@@ -67,7 +105,15 @@ export function addTask(scene: Scene, category: TaskCategory, x: number, z: numb
   }
   if (category === "place") add("table", 0, 0.17);
   if (category === "sit") add("stool", 0, 0);
-  return { scene: { ...scene, tasks: [...scene.tasks, task], order: [...scene.order, id], props: [...scene.props, ...props] }, id };
+  return {
+    scene: {
+      ...scene,
+      tasks: [...scene.tasks, task],
+      order: [...scene.order, id],
+      props: [...scene.props, ...props],
+    },
+    id,
+  };
 }
 
 /** A copy of a task and its furniture, half a metre to the side, right after it in the order. */
@@ -79,14 +125,21 @@ export function duplicateTask(scene: Scene, id: string): { scene: Scene; id: str
   const order = added.scene.order.filter((x) => x !== added.id);
   order.splice(order.indexOf(id) + 1, 0, added.id);
   const moved = placeTask({ ...added.scene, order }, added.id, [at.x, task.position[1], at.z], task.yaw);
-  return { scene: changeTask(moved, added.id, { effort: task.effort, duration: task.duration, hand: task.hand }), id: added.id };
+  return {
+    scene: changeTask(moved, added.id, { effort: task.effort, duration: task.duration, hand: task.hand }),
+    id: added.id,
+  };
 }
 
 /** A task and the furniture that only it uses taken away. */
 export function removeTask(scene: Scene, id: string): Scene {
   const task = scene.tasks.find((t) => t.id === id);
   if (!task) return scene;
-  const rest = { ...scene, tasks: scene.tasks.filter((t) => t.id !== id), order: scene.order.filter((x) => x !== id) };
+  const rest = {
+    ...scene,
+    tasks: scene.tasks.filter((t) => t.id !== id),
+    order: scene.order.filter((x) => x !== id),
+  };
   const used = new Set(rest.tasks.flatMap((t) => propsOfTask(rest, t).map((p) => p.id)));
   const mine = new Set(propsOfTask(scene, task).map((p) => p.id));
   return { ...rest, props: scene.props.filter((p) => !mine.has(p.id) || used.has(p.id)) };
@@ -94,5 +147,8 @@ export function removeTask(scene: Scene, id: string): Scene {
 
 /** Height and leg factor of the character. */
 export function setCharacter(scene: Scene, height: number, leg: number): Scene {
-  return { ...scene, character: { ...scene.character, height, proportions: { ...scene.character.proportions, leg } } };
+  return {
+    ...scene,
+    character: { ...scene.character, height, proportions: { ...scene.character.proportions, leg } },
+  };
 }

@@ -8,7 +8,14 @@ import type { Scene, SceneProp, SceneTask } from "./types.ts";
  * stool sat on. Found by place; none for tasks in the open.
  */
 export function propsOfTask(scene: Scene, task: SceneTask): SceneProp[] {
-  const kinds = { write: ["board"], lift: ["table", "box"], place: ["table"], sit: ["stool"], stand: [], turn: [] }[task.category] as string[];
+  const kinds = {
+    write: ["board"],
+    lift: ["table", "box"],
+    place: ["table"],
+    sit: ["stool"],
+    stand: [],
+    turn: [],
+  }[task.category] as string[];
   const at = { x: task.position[0], z: task.position[2], yaw: 0 };
   return kinds.flatMap((kind) => {
     const near = scene.props
@@ -29,9 +36,17 @@ export function obstacles(scene: Scene): Obstacle[] {
   const out: Obstacle[] = [];
   for (const p of scene.props) {
     const at = { id: p.id, x: p.position[0], z: p.position[2] };
-    if (p.kind === "stool" || p.kind === "pillar") out.push({ kind: "disc", ...at, radius: Math.max(p.size[0], p.size[2]) / 2 });
+    if (p.kind === "stool" || p.kind === "pillar")
+      out.push({ kind: "disc", ...at, radius: Math.max(p.size[0], p.size[2]) / 2 });
     else if (p.kind === "box" && p.position[1] > 0.6) continue;
-    else out.push({ kind: "box", ...at, yaw: p.yaw, halfWidth: p.size[0] / 2, halfDepth: Math.max(0.02, p.size[2] / 2) });
+    else
+      out.push({
+        kind: "box",
+        ...at,
+        yaw: p.yaw,
+        halfWidth: p.size[0] / 2,
+        halfDepth: Math.max(0.02, p.size[2] / 2),
+      });
   }
   return out;
 }

@@ -9,7 +9,17 @@ export function resultDocument(scene: Scene, plan: Plan, contacts: Uint8Array, q
     version: 1,
     scene,
     footsteps: [
-      ...plan.start.map((f) => ({ foot: f.foot, position: [f.x, f.y, f.z], yaw: f.yaw, category: null, phase: null, task: null, template: null, lift: null, land: 0 })),
+      ...plan.start.map((f) => ({
+        foot: f.foot,
+        position: [f.x, f.y, f.z],
+        yaw: f.yaw,
+        category: null,
+        phase: null,
+        task: null,
+        template: null,
+        lift: null,
+        land: 0,
+      })),
       ...plan.steps.map((s) => ({
         foot: s.foot,
         position: [s.x, s.y, s.z],
@@ -23,7 +33,10 @@ export function resultDocument(scene: Scene, plan: Plan, contacts: Uint8Array, q
       })),
     ],
     contacts: Array.from(contacts, (c) => [c & 1, (c >> 1) & 1, (c >> 2) & 1, (c >> 3) & 1]),
-    timing: { rate: 60, tasks: plan.tasks.map((t) => ({ id: t.id, start: t.start, contact: t.contact, end: t.end })) },
+    timing: {
+      rate: 60,
+      tasks: plan.tasks.map((t) => ({ id: t.id, start: t.start, contact: t.contact, end: t.end })),
+    },
     quality,
     warnings: plan.warnings,
   };

@@ -12,17 +12,27 @@ export class SceneError extends Error {
 }
 
 const finite = v.pipe(v.number("a number is needed"), v.finite("a finite number is needed"));
-const within = (low: number, high: number) => v.pipe(finite, v.minValue(low, `at least ${low} is needed`), v.maxValue(high, `at most ${high} is possible`));
+const within = (low: number, high: number) =>
+  v.pipe(
+    finite,
+    v.minValue(low, `at least ${low} is needed`),
+    v.maxValue(high, `at most ${high} is possible`),
+  );
 const place = within(-1000, 1000);
 const positive = within(0.001, 1000);
-const id = v.pipe(v.string("a text is needed"), v.minLength(1, "a text that is not empty is needed"), v.maxLength(80, "at most 80 characters are possible"));
+const id = v.pipe(
+  v.string("a text is needed"),
+  v.minLength(1, "a text that is not empty is needed"),
+  v.maxLength(80, "at most 80 characters are possible"),
+);
 const point2 = v.tuple([place, place], "two numbers are needed");
 const point3 = v.tuple([place, place, place], "three numbers are needed");
 const angle = within(-1000, 1000);
 const object = <E extends v.ObjectEntries>(entries: E) => v.strictObject(entries, "an object is needed");
 const list = <S extends v.BaseSchema<unknown, unknown, v.BaseIssue<unknown>>>(item: S, most: number) =>
   v.pipe(v.array(item, "a list is needed"), v.maxLength(most, `at most ${most} entries are possible`));
-const oneOf = <T extends readonly [string, ...string[]]>(values: T) => v.picklist(values, `one of ${values.join(", ")} is needed`);
+const oneOf = <T extends readonly [string, ...string[]]>(values: T) =>
+  v.picklist(values, `one of ${values.join(", ")} is needed`);
 const factor = v.optional(within(0.7, 1.4), 1);
 
 const task = object({
@@ -66,7 +76,13 @@ const terrain = v.variant(
     object({
       kind: v.literal("heightfield"),
       size: v.tuple([positive, positive], "two numbers are needed"),
-      cells: v.tuple([v.pipe(within(1, 512), v.integer("a whole number is needed")), v.pipe(within(1, 512), v.integer("a whole number is needed"))], "two numbers are needed"),
+      cells: v.tuple(
+        [
+          v.pipe(within(1, 512), v.integer("a whole number is needed")),
+          v.pipe(within(1, 512), v.integer("a whole number is needed")),
+        ],
+        "two numbers are needed",
+      ),
       heights: list(within(-20, 20), 263169),
     }),
   ],
@@ -75,9 +91,23 @@ const terrain = v.variant(
 
 const goals = list(point2, 100);
 const crowd = object({
-  agents: v.optional(list(object({ position: point2, yaw: v.optional(angle, 0), goals, speed: v.optional(within(0.05, 5), 1.3) }), 5000), []),
+  agents: v.optional(
+    list(
+      object({ position: point2, yaw: v.optional(angle, 0), goals, speed: v.optional(within(0.05, 5), 1.3) }),
+      5000,
+    ),
+    [],
+  ),
   regions: v.optional(
-    list(object({ bounds: v.tuple([place, place, place, place], "four numbers are needed"), count: v.pipe(within(0, 5000), v.integer("a whole number is needed")), goals, speed: v.optional(within(0.05, 5), 1.3) }), 100),
+    list(
+      object({
+        bounds: v.tuple([place, place, place, place], "four numbers are needed"),
+        count: v.pipe(within(0, 5000), v.integer("a whole number is needed")),
+        goals,
+        speed: v.optional(within(0.05, 5), 1.3),
+      }),
+      100,
+    ),
     [],
   ),
 });
@@ -118,14 +148,16 @@ const document = object({
 function shown(value: unknown): string {
   if (value === undefined) return "nothing";
   if (typeof value === "number" || typeof value === "boolean" || value === null) return String(value);
-  if (typeof value === "string") return JSON.stringify(value.length > 40 ? `${value.slice(0, 37)}...` : value);
+  if (typeof value === "string")
+    return JSON.stringify(value.length > 40 ? `${value.slice(0, 37)}...` : value);
   return Array.isArray(value) ? `a list of ${value.length}` : `an ${typeof value}`;
 }
 
 /** "tasks[2].yaw" from valibot's path. */
 function dotted(path: readonly { key?: unknown }[] | undefined): string {
   let out = "";
-  for (const item of path ?? []) out += typeof item.key === "number" ? `[${item.key}]` : `${out ? "." : ""}${String(item.key)}`;
+  for (const item of path ?? [])
+    out += typeof item.key === "number" ? `[${item.key}]` : `${out ? "." : ""}${String(item.key)}`;
   return out || "scene";
 }
 
@@ -139,28 +171,42 @@ export function parseScene(value: unknown): Scene {
   if (!result.success) {
     const issue = result.issues[0];
     const where = dotted(issue.path as readonly { key?: unknown }[] | undefined);
-    if (issue.type === "strict_object" && issue.expected === "never") throw new SceneError(`${where}: no such field is known.`);
-    const needed = issue.type === "strict_object" && issue.received === "undefined" ? "this field is needed" : issue.message;
+    if (issue.type === "strict_object" && issue.expected === "never")
+      throw new SceneError(`${where}: no such field is known.`);
+    const needed =
+      issue.type === "strict_object" && issue.received === "undefined"
+        ? "this field is needed"
+        : issue.message;
     throw new SceneError(`${where}: ${needed}, found ${shown(issue.input)}.`);
   }
   const d = result.output;
   const ids = [...d.tasks, ...d.paths, ...d.stones].map((x) => x.id);
   const seen = new Set<string>();
-  for (const [name, items] of [["tasks", d.tasks], ["paths", d.paths], ["stones", d.stones], ["props", d.props]] as const) {
+  for (const [name, items] of [
+    ["tasks", d.tasks],
+    ["paths", d.paths],
+    ["stones", d.stones],
+    ["props", d.props],
+  ] as const) {
     items.forEach((item, i) => {
       const key = name === "props" ? `prop ${item.id}` : item.id;
-      if (seen.has(key)) throw new SceneError(`${name}[${i}].id: an id of its own is needed, found ${shown(item.id)} again.`);
+      if (seen.has(key))
+        throw new SceneError(`${name}[${i}].id: an id of its own is needed, found ${shown(item.id)} again.`);
       seen.add(key);
     });
   }
   const order = d.order ?? ids;
   order.forEach((x, i) => {
     if (!ids.includes(x)) throw new SceneError(`order[${i}]: no task, path or stone has the id ${shown(x)}.`);
-    if (order.indexOf(x) !== i) throw new SceneError(`order[${i}]: each id is named once, found ${shown(x)} again.`);
+    if (order.indexOf(x) !== i)
+      throw new SceneError(`order[${i}]: each id is named once, found ${shown(x)} again.`);
   });
   if (d.terrain.kind === "heightfield") {
     const wanted = (d.terrain.cells[0] + 1) * (d.terrain.cells[1] + 1);
-    if (d.terrain.heights.length !== wanted) throw new SceneError(`terrain.heights: ${wanted} numbers are needed, found ${d.terrain.heights.length}.`);
+    if (d.terrain.heights.length !== wanted)
+      throw new SceneError(
+        `terrain.heights: ${wanted} numbers are needed, found ${d.terrain.heights.length}.`,
+      );
   }
   return {
     ...d,

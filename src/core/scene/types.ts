@@ -56,7 +56,12 @@ export type Terrain =
 
 export interface CrowdSpec {
   agents: { position: [number, number]; yaw: number; goals: [number, number][]; speed: number }[];
-  regions: { bounds: [number, number, number, number]; count: number; goals: [number, number][]; speed: number }[];
+  regions: {
+    bounds: [number, number, number, number];
+    count: number;
+    goals: [number, number][];
+    speed: number;
+  }[];
 }
 
 /** A planned footstep that the user changed. `step`: its index in the plan it was made on. */

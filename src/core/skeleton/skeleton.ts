@@ -82,11 +82,16 @@ export const DEFAULT_PROPORTIONS: Proportions = { leg: 1, arm: 1, torso: 1 };
  *   the default build, so a longer leg makes a taller character.
  * @throws RangeError when out of range.
  */
-export function createSkeleton(height = REFERENCE_HEIGHT, proportions: Proportions = DEFAULT_PROPORTIONS): Skeleton {
-  if (!(height >= 1.2 && height <= 2.3)) throw new RangeError(`height: 1.2 to 2.3 m is possible, found ${height}.`);
+export function createSkeleton(
+  height = REFERENCE_HEIGHT,
+  proportions: Proportions = DEFAULT_PROPORTIONS,
+): Skeleton {
+  if (!(height >= 1.2 && height <= 2.3))
+    throw new RangeError(`height: 1.2 to 2.3 m is possible, found ${height}.`);
   for (const key of ["leg", "arm", "torso"] as const) {
     const f = proportions[key];
-    if (!(f >= 0.7 && f <= 1.4)) throw new RangeError(`proportions.${key}: 0.7 to 1.4 is possible, found ${f}.`);
+    if (!(f >= 0.7 && f <= 1.4))
+      throw new RangeError(`proportions.${key}: 0.7 to 1.4 is possible, found ${f}.`);
   }
   const s = height / REFERENCE_HEIGHT;
   const leg = s * proportions.leg;
@@ -128,7 +133,15 @@ export function createSkeleton(height = REFERENCE_HEIGHT, proportions: Proportio
   ] as const) {
     set(r, -offsets[3 * l], offsets[3 * l + 1], offsets[3 * l + 2]);
   }
-  return { height, proportions: { ...proportions }, offsets, foot, legLength, palm: 0.085 * arm, headTop: 0.19 * torso };
+  return {
+    height,
+    proportions: { ...proportions },
+    offsets,
+    foot,
+    legLength,
+    palm: 0.085 * arm,
+    headTop: 0.19 * torso,
+  };
 }
 
 export { JOINT_COUNT, PARENTS };

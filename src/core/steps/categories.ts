@@ -1,7 +1,8 @@
 /** The seven step categories, told apart by geometry [TaskLoco §4.1, Figure 5]. */
+
+import type { SidecarTask } from "../capture/sidecar.ts";
 import { wrapAngle } from "../math/angle.ts";
 import { midPose, toLocal } from "../math/frame2.ts";
-import type { SidecarTask } from "../capture/sidecar.ts";
 import type { Foot, Footstep, Step } from "./types.ts";
 
 /** Limits at a leg of 0.93 m: metres, radians, seconds. */
@@ -22,7 +23,13 @@ export const CATEGORY_DEFAULTS = {
  *
  * @param rate frames a second of the steps' frames; @param legLength metres.
  */
-export function categorise(steps: Step[], initialStance: readonly [Footstep, Footstep], tasks: readonly SidecarTask[], rate: number, legLength: number): void {
+export function categorise(
+  steps: Step[],
+  initialStance: readonly [Footstep, Footstep],
+  tasks: readonly SidecarTask[],
+  rate: number,
+  legLength: number,
+): void {
   const d = CATEGORY_DEFAULTS;
   const scale = legLength / 0.93;
   const feet: Record<Foot, Footstep> = { left: initialStance[0], right: initialStance[1] };
@@ -31,7 +38,10 @@ export function categorise(steps: Step[], initialStance: readonly [Footstep, Foo
     feet[s.foot] = s.to;
     if (s.category === "HeelPivot" || s.category === "ToePivot") continue;
     const after = midPose(feet.left, feet.right);
-    const own = toLocal({ x: s.from.x, z: s.from.z, yaw: before.yaw + wrapAngle(after.yaw - before.yaw) / 2 }, s.to);
+    const own = toLocal(
+      { x: s.from.x, z: s.from.z, yaw: before.yaw + wrapAngle(after.yaw - before.yaw) / 2 },
+      s.to,
+    );
     const turn = Math.abs(wrapAngle(s.to.yaw - s.from.yaw));
     const forward = own.z;
     const across = Math.abs(own.x);

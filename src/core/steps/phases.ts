@@ -20,7 +20,12 @@ export const PHASE_DEFAULTS = {
 };
 
 /** Fills in the phase of steps[first..last), one transition. */
-export function assignPhases(steps: Step[], first: number, last: number, initialStance: readonly [Footstep, Footstep]): void {
+export function assignPhases(
+  steps: Step[],
+  first: number,
+  last: number,
+  initialStance: readonly [Footstep, Footstep],
+): void {
   const d = PHASE_DEFAULTS;
   const feet: Record<Foot, Footstep> = { left: initialStance[0], right: initialStance[1] };
   for (let i = 0; i < first; i++) feet[steps[i].foot] = steps[i].to;
@@ -28,7 +33,9 @@ export function assignPhases(steps: Step[], first: number, last: number, initial
   for (let i = first; i < last; i++) {
     const s = steps[i];
     feet[s.foot] = s.to;
-    straight.push(s.category === "Walk" && Math.abs(wrapAngle(s.to.yaw - midPose(feet.left, feet.right).yaw)) < d.yaw);
+    straight.push(
+      s.category === "Walk" && Math.abs(wrapAngle(s.to.yaw - midPose(feet.left, feet.right).yaw)) < d.yaw,
+    );
   }
   // The longest run of straight walking.
   let from = 0;

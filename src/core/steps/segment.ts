@@ -34,7 +34,11 @@ interface RestTrack {
 }
 
 /** Steps of a clip in order of their start; category and phase are filled by `categorise` and `assignPhases`. */
-export function segmentSteps(clip: Clip, contacts: ContactTrack, options: Partial<SegmentOptions> = {}): { steps: Step[]; initialStance: [Footstep, Footstep] } {
+export function segmentSteps(
+  clip: Clip,
+  contacts: ContactTrack,
+  options: Partial<SegmentOptions> = {},
+): { steps: Step[]; initialStance: [Footstep, Footstep] } {
   const o = { ...SEGMENT_DEFAULTS, ...options };
   const left = restTrack(clip, "left");
   const right = restTrack(clip, "right");
@@ -46,7 +50,12 @@ export function segmentSteps(clip: Clip, contacts: ContactTrack, options: Partia
 
 function restTrack(clip: Clip, foot: Foot): RestTrack {
   const n = clip.frames;
-  const t: RestTrack = { x: new Float64Array(n), z: new Float64Array(n), yaw: new Float64Array(n), low: new Float64Array(n) };
+  const t: RestTrack = {
+    x: new Float64Array(n),
+    z: new Float64Array(n),
+    yaw: new Float64Array(n),
+    low: new Float64Array(n),
+  };
   const joint = foot === "left" ? J.leftFoot : J.rightFoot;
   const p = new Float64Array(3 * JOINT_COUNT);
   const w = new Float64Array(4 * JOINT_COUNT);
@@ -85,7 +94,13 @@ interface Rest {
   pivot: "heel" | "ball" | null;
 }
 
-function footSteps(foot: Foot, t: RestTrack, contacts: ContactTrack, clip: Clip, o: SegmentOptions): { steps: Step[]; first: Footstep } {
+function footSteps(
+  foot: Foot,
+  t: RestTrack,
+  contacts: ContactTrack,
+  clip: Clip,
+  o: SegmentOptions,
+): { steps: Step[]; first: Footstep } {
   const shift = foot === "left" ? 0 : 2;
   const n = clip.frames;
   const scale = clip.skeleton.legLength / 0.93;
@@ -151,7 +166,13 @@ function footSteps(foot: Foot, t: RestTrack, contacts: ContactTrack, clip: Clip,
 }
 
 /** A plant as one rest, or several with pivots between. */
-function restsOf(t: RestTrack, from: number, to: number, bits: (f: number) => number, o: SegmentOptions): Rest[] {
+function restsOf(
+  t: RestTrack,
+  from: number,
+  to: number,
+  bits: (f: number) => number,
+  o: SegmentOptions,
+): Rest[] {
   const plain = (a: number, b: number, pivot: Rest["pivot"]): Rest => ({
     from: a,
     to: b,

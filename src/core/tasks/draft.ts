@@ -1,10 +1,11 @@
 /**
  * The plan while it is being made: where the feet are, the steps laid so far, and the clips they come from.
  */
-import type { Foot, Footstep, Phase, StepCategory } from "../steps/types.ts";
-import type { Library, LibraryClip, Template } from "../templates/types.ts";
+
 import type { GroundPose } from "../math/frame2.ts";
 import { toLocal } from "../math/frame2.ts";
+import type { Foot, Footstep, Phase, StepCategory } from "../steps/types.ts";
+import type { Library, LibraryClip, Template } from "../templates/types.ts";
 
 /** A step that is laid but not yet timed. */
 export interface DraftStep extends Footstep {
@@ -54,7 +55,14 @@ export function previousLanding(clip: LibraryClip, index: number): number {
  * stance foot's [reading of TaskLoco eq. 12 in docs/taskloco-planner.md].
  */
 export function templateSteps(library: Library, template: Template): DraftStep[] {
-  return clipSteps(library.clips[template.clip], template.clip, template.first, template.last, template.phase, template.id);
+  return clipSteps(
+    library.clips[template.clip],
+    template.clip,
+    template.first,
+    template.last,
+    template.phase,
+    template.id,
+  );
 }
 
 /** Steps first..last-1 of a clip as drafts. */

@@ -56,15 +56,26 @@ export function holdAtTask(
     const wanted = Math.round((task.duration ?? STAND_FRAMES / CLIP_RATE) * CLIP_RATE);
     const frames = Math.min(room, wanted);
     appendHold(timeline, clip, begin, begin + frames, frames, index);
-    if (wanted > frames) appendHold(timeline, clip, begin + frames - 1, begin + frames, wanted - frames, index);
-    tasks.push({ id: task.id, start: before, contact: before, end: timeline.cursor / CLIP_RATE, clip: -1, clipTask: -1 });
+    if (wanted > frames)
+      appendHold(timeline, clip, begin + frames - 1, begin + frames, wanted - frames, index);
+    tasks.push({
+      id: task.id,
+      start: before,
+      contact: before,
+      end: timeline.cursor / CLIP_RATE,
+      clip: -1,
+      clipTask: -1,
+    });
     return;
   }
   const source = library.clips[entry.clip];
   const shown = source.tasks[entry.task];
-  const lastStep = entry.last > entry.first ? source.steps[entry.last - 1].end : Math.round(shown.start * CLIP_RATE);
+  const lastStep =
+    entry.last > entry.first ? source.steps[entry.last - 1].end : Math.round(shown.start * CLIP_RATE);
   const end = Math.max(lastStep, Math.round(shown.end * CLIP_RATE));
-  const [a, b] = stillPart(task.category, shown.contact, shown.end).map((t) => Math.max(lastStep, Math.min(end, Math.round(t * CLIP_RATE))));
+  const [a, b] = stillPart(task.category, shown.contact, shown.end).map((t) =>
+    Math.max(lastStep, Math.min(end, Math.round(t * CLIP_RATE))),
+  );
   const natural = shown.end - shown.contact;
   const extra = task.duration === null ? 0 : Math.round((task.duration - natural) * CLIP_RATE);
   appendHold(timeline, entry.clip, lastStep, a, a - lastStep, index);
@@ -79,7 +90,8 @@ export function holdAtTask(
     appendHold(timeline, entry.clip, Math.max(0, b - 1), Math.max(1, b), extra, index);
   }
   if (seatedTo > b) appendHold(timeline, entry.clip, b, seatedTo, seatedTo - b, index);
-  const at = (seconds: number) => timeOfSource(timeline.segments, firstSegment, entry.clip, Math.round(seconds * CLIP_RATE));
+  const at = (seconds: number) =>
+    timeOfSource(timeline.segments, firstSegment, entry.clip, Math.round(seconds * CLIP_RATE));
   const contact = at(shown.contact) ?? before;
   const finish = timeline.cursor / CLIP_RATE;
   tasks.push({

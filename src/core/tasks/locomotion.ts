@@ -33,7 +33,13 @@ export function walksOf(library: Library): Walks {
     const source = library.clips[clip];
     const s = source.steps[step];
     const d = toLocal(footPose(stanceBefore(source, step)[otherFoot(s.foot)]), footPose(s.to));
-    return { clip, step, foot: s.foot, desired: [d.x, d.z, d.yaw], carrying: carriedAt(library, clip, s.start) };
+    return {
+      clip,
+      step,
+      foot: s.foot,
+      desired: [d.x, d.z, d.yaw],
+      carrying: carriedAt(library, clip, s.start),
+    };
   });
   const median = (values: number[]) => values.sort((a, b) => a - b)[values.length >> 1] ?? 0;
   return {

@@ -3,7 +3,11 @@
  * drafts, runs it, puts pivots back on the end they turn about, and runs the rest again.
  */
 import { wrapAngle } from "../math/angle.ts";
-import { createFootstepWorkspace, type FootstepWorkspace, optimizeFootsteps } from "../optimize/optimize-footsteps.ts";
+import {
+  createFootstepWorkspace,
+  type FootstepWorkspace,
+  optimizeFootsteps,
+} from "../optimize/optimize-footsteps.ts";
 import { PHASE_WEIGHTS, type PhaseName } from "../optimize/phase-weights.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import { type DraftStep, type Feet, otherFoot } from "./draft.ts";

@@ -43,7 +43,11 @@ function same(a: TaskGoal | undefined, b: TaskGoal | undefined): boolean {
     a.effort === b.effort &&
     a.hand === b.hand &&
     a.duration === b.duration &&
-    Math.abs(a.frame.x - b.frame.x) + Math.abs(a.frame.z - b.frame.z) + Math.abs(a.height - b.height) + Math.abs(wrapAngle(a.frame.yaw - b.frame.yaw)) < 1e-9
+    Math.abs(a.frame.x - b.frame.x) +
+      Math.abs(a.frame.z - b.frame.z) +
+      Math.abs(a.height - b.height) +
+      Math.abs(wrapAngle(a.frame.yaw - b.frame.yaw)) <
+      1e-9
   );
 }
 
@@ -51,7 +55,12 @@ function same(a: TaskGoal | undefined, b: TaskGoal | undefined): boolean {
  * Plans a scene's tasks. While an earlier plan is played, the steps begun are kept; when a task already done has
  * changed, the plan starts afresh.
  */
-export function planScene(scene: Scene, library: Library, skeleton: Skeleton, options: PlanSceneOptions = {}): Plan {
+export function planScene(
+  scene: Scene,
+  library: Library,
+  skeleton: Skeleton,
+  options: PlanSceneOptions = {},
+): Plan {
   const goals = goalsOf(scene);
   const start = { x: scene.start.position[0], z: scene.start.position[1], yaw: wrapAngle(scene.start.yaw) };
   const playing = options.playing ?? null;
@@ -59,15 +68,29 @@ export function planScene(scene: Scene, library: Library, skeleton: Skeleton, op
   const warnings: string[] = [];
   scene.tasks.forEach((t, i) => {
     if (t.category === "write" && t.position[1] > reachHeight(skeleton)) {
-      warnings.push(`tasks[${i}].position: too high to reach: ${t.position[1].toFixed(2)} m, ${reachHeight(skeleton).toFixed(2)} m at most.`);
+      warnings.push(
+        `tasks[${i}].position: too high to reach: ${t.position[1].toFixed(2)} m, ${reachHeight(skeleton).toFixed(2)} m at most.`,
+      );
     }
   });
   let plan: Plan | null = null;
   if (playing && playing.now > 0) {
     const kept = keepBegun(playing.plan, playing.now);
-    const unchanged = kept.done.every((d, i) => goals[i]?.id === d.id && same(goals[i], playing.goals.find((g) => g.id === d.id)));
+    const unchanged = kept.done.every(
+      (d, i) =>
+        goals[i]?.id === d.id &&
+        same(
+          goals[i],
+          playing.goals.find((g) => g.id === d.id),
+        ),
+    );
     if (unchanged && kept.done.length < goals.length) {
-      plan = planTasks({ ...common, kept, keptTask: goals[kept.done.length - 1] ?? null, tasks: goals.slice(kept.done.length) });
+      plan = planTasks({
+        ...common,
+        kept,
+        keptTask: goals[kept.done.length - 1] ?? null,
+        tasks: goals.slice(kept.done.length),
+      });
     }
   }
   plan ??= planTasks({ ...common, kept: null, keptTask: null, tasks: goals });

@@ -16,7 +16,15 @@ import type { Library, Template } from "../templates/types.ts";
 import { type DraftStep, type Feet, footPose, otherFoot } from "./draft.ts";
 import { holdAtTask } from "./hold.ts";
 import type { Kept } from "./keep.ts";
-import { approachSteps, chooseWalk, layWalk, stepsToStance, type WalkWish, type Walks, walksOf } from "./locomotion.ts";
+import {
+  approachSteps,
+  chooseWalk,
+  layWalk,
+  stepsToStance,
+  type Walks,
+  type WalkWish,
+  walksOf,
+} from "./locomotion.ts";
 import { createPhaseWorkspace, optimisePhase, type PhaseGoal } from "./optimise-phase.ts";
 import type { OptimisationTrace, Plan } from "./plan-types.ts";
 import { findRoute, type GroundPoint, type Obstacle } from "./route.ts";
@@ -98,7 +106,9 @@ export function planTasks(input: PlanInput): Plan {
     plan,
   };
   if (timeline.cursor === 0) openStance(context);
-  let current: Place = input.keptTask ? placeOf(input.keptTask) : { category: null, effort: 1, frame: input.start, exitClip: -1, exitTask: -1 };
+  let current: Place = input.keptTask
+    ? placeOf(input.keptTask)
+    : { category: null, effort: 1, frame: input.start, exitClip: -1, exitTask: -1 };
   const firstIndex = kept ? kept.done.length : 0;
   input.tasks.forEach((task, k) => {
     const index = firstIndex + k;
@@ -123,27 +133,67 @@ function placeOf(task: TaskGoal): Place {
   return { category: task.category, effort: task.effort, frame: task.frame, exitClip: -1, exitTask: -1 };
 }
 
-function planTask(context: Context, current: Place, task: TaskGoal, followup: TaskGoal | null, index: number, underWay: boolean): Place {
+function planTask(
+  context: Context,
+  current: Place,
+  task: TaskGoal,
+  followup: TaskGoal | null,
+  index: number,
+  underWay: boolean,
+): Place {
   const firstSegment = context.timeline.segments.length;
   if (task.category === "stand") {
-    holdAtTask(context.library, context.timeline, context.plan.tasks, null, task, index, firstSegment, followup === null);
+    holdAtTask(
+      context.library,
+      context.timeline,
+      context.plan.tasks,
+      null,
+      task,
+      index,
+      firstSegment,
+      followup === null,
+    );
     context.lastFoot = null;
-    return { ...current, category: current.category === "sit" ? "stand" : current.category, frame: midPose(context.feet.left, context.feet.right) };
+    return {
+      ...current,
+      category: current.category === "sit" ? "stand" : current.category,
+      frame: midPose(context.feet.left, context.feet.right),
+    };
   }
   const entry = chooseEntry(context, current, task, followup, index);
   if (!entry) {
-    context.plan.warnings.push(`tasks[${index}] (${task.category}): the library has no template that enters it.`);
+    context.plan.warnings.push(
+      `tasks[${index}] (${task.category}): the library has no template that enters it.`,
+    );
     return placeOf(task);
   }
   const radius = context.library.enterRadius[task.category];
-  const nearest = Math.min(groundDistance(context.feet.left, task.frame), groundDistance(context.feet.right, task.frame));
+  const nearest = Math.min(
+    groundDistance(context.feet.left, task.frame),
+    groundDistance(context.feet.right, task.frame),
+  );
   if (nearest > radius && !underWay) planExit(context, current, task, entry, index, radius);
   planLocomotion(context, entry, index);
   planEntry(context, entry, index);
   context.carrying = task.category === "lift" ? true : task.category === "place" ? false : context.carrying;
-  holdAtTask(context.library, context.timeline, context.plan.tasks, entry.template, task, index, firstSegment, followup === null);
+  holdAtTask(
+    context.library,
+    context.timeline,
+    context.plan.tasks,
+    entry.template,
+    task,
+    index,
+    firstSegment,
+    followup === null,
+  );
   context.lastFoot = entry.template.singleStance ? context.lastFoot : null;
-  return { category: task.category, effort: task.effort, frame: task.frame, exitClip: entry.template.clip, exitTask: entry.template.task };
+  return {
+    category: task.category,
+    effort: task.effort,
+    frame: task.frame,
+    exitClip: entry.template.clip,
+    exitTask: entry.template.task,
+  };
 }
 
 interface Entry {
@@ -160,7 +210,13 @@ interface Entry {
 }
 
 /** Chooses the entry by eqs. 9 and 10, from where the route comes in. */
-function chooseEntry(context: Context, current: Place, task: TaskGoal, followup: TaskGoal | null, index: number): Entry | null {
+function chooseEntry(
+  context: Context,
+  current: Place,
+  task: TaskGoal,
+  followup: TaskGoal | null,
+  index: number,
+): Entry | null {
   const { library } = context;
   const here = midPose(context.feet.left, context.feet.right);
   const from = current.category === null ? here : current.frame;
@@ -180,14 +236,23 @@ function chooseEntry(context: Context, current: Place, task: TaskGoal, followup:
   let entry: Entry | null = null;
   for (let round = 0; round < 2; round++) {
     const competitors = retrieveEntry(library, query(origin), COMPETITORS);
-    const result = compete(library, competitors, (t) => layInTaskFrame(library, t, task.frame).steps, context.obstacles, () => 0);
+    const result = compete(
+      library,
+      competitors,
+      (t) => layInTaskFrame(library, t, task.frame).steps,
+      context.obstacles,
+      () => 0,
+    );
     if (!result.winner) return null;
     const laid = layInTaskFrame(library, result.winner, task.frame);
     const first = laid.steps[0];
     const stanceFoot = first ? otherFoot(first.foot) : "left";
     const aim = laid.stance[stanceFoot];
     const route = findRoute(here, aim, context.obstacles, CLEARANCE);
-    if (route.blocked && round === 1) context.plan.warnings.push(`tasks[${index}] (${task.category}): no free way leads there; the straight one is taken.`);
+    if (route.blocked && round === 1)
+      context.plan.warnings.push(
+        `tasks[${index}] (${task.category}): no free way leads there; the straight one is taken.`,
+      );
     entry = { template: result.winner, ...laid, stanceFoot, aim, route: route.points, task };
     if (round === 1 || route.points.length < 2) {
       context.plan.candidates.push({ task: index, phase: "enter", list: result.list });
@@ -200,19 +265,37 @@ function chooseEntry(context: Context, current: Place, task: TaskGoal, followup:
 }
 
 /** PlanTaskExitPhase: ends early where a step comes inside the enter radius or walks past the entry's stance. */
-function planExit(context: Context, current: Place, task: TaskGoal, entry: Entry, index: number, radius: number): void {
+function planExit(
+  context: Context,
+  current: Place,
+  task: TaskGoal,
+  entry: Entry,
+  index: number,
+  radius: number,
+): void {
   const { library } = context;
   const toward = entry.route[0];
   const local = toLocal(current.frame, { ...(entry.route.length > 1 ? toward : task.frame), yaw: 0 });
   const competitors = retrieveExit(
     library,
-    { category: current.category, nextInCurrent: [local.x, local.z], currentEffort: current.effort, hand: task.hand },
+    {
+      category: current.category,
+      nextInCurrent: [local.x, local.z],
+      currentEffort: current.effort,
+      hand: task.hand,
+    },
     COMPETITORS,
   );
   // After a single-stance end the other foot goes first [TaskLoco §4.2, eqs. 6 and 7].
   const wrongFoot = (t: Template) =>
     context.lastFoot !== null && library.clips[t.clip].steps[t.first]?.foot === context.lastFoot ? 1 : 0;
-  const result = compete(library, competitors, (t) => chainFrom(library, t, context.feet), context.obstacles, wrongFoot);
+  const result = compete(
+    library,
+    competitors,
+    (t) => chainFrom(library, t, context.feet),
+    context.obstacles,
+    wrongFoot,
+  );
   context.plan.candidates.push({ task: index, phase: "exit", list: result.list });
   if (!result.winner) return;
   let steps = chainFrom(library, result.winner, context.feet);
@@ -230,7 +313,9 @@ function planExit(context: Context, current: Place, task: TaskGoal, entry: Entry
   tidyFootsteps(context.skeleton, context.feet, steps, context.obstacles);
   // The exit's first segment goes on where the task's motion ends.
   const source = library.clips[result.winner.clip];
-  const end = source.tasks[result.winner.task] ? Math.round(source.tasks[result.winner.task].end * CLIP_RATE) : null;
+  const end = source.tasks[result.winner.task]
+    ? Math.round(source.tasks[result.winner.task].end * CLIP_RATE)
+    : null;
   steps.forEach((s, i) => {
     const from = i === 0 && end !== null && end < source.steps[s.step].start ? end : null;
     lay(context, s, index, from);
@@ -238,7 +323,13 @@ function planExit(context: Context, current: Place, task: TaskGoal, entry: Entry
 }
 
 /** The steps up to the first that lands within the radius of the task, or before the way to the aim grows again. */
-function untilNear(context: Context, steps: DraftStep[], task: GroundPose, radius: number, aim: GroundPoint): DraftStep[] {
+function untilNear(
+  context: Context,
+  steps: DraftStep[],
+  task: GroundPose,
+  radius: number,
+  aim: GroundPoint,
+): DraftStep[] {
   let nearest = groundDistance(midPose(context.feet.left, context.feet.right), aim);
   for (let i = 0; i < steps.length; i++) {
     const d = groundDistance(steps[i], aim);
@@ -269,7 +360,8 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
     }
     const goal = entry.route[via];
     let remaining = groundDistance(middle, goal);
-    for (let k = via + 1; k < entry.route.length; k++) remaining += groundDistance(entry.route[k - 1], entry.route[k]);
+    for (let k = via + 1; k < entry.route.length; k++)
+      remaining += groundDistance(entry.route[k - 1], entry.route[k]);
     if (via === entry.route.length - 1 && remaining < 2.4 * length) break;
     const course = bearing(middle, goal);
     const foot = context.lastFoot ? otherFoot(context.lastFoot) : towards(feet, course);
@@ -286,7 +378,12 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
     const walk = chooseWalk(walks, wish);
     if (!walk) break;
     const step = layWalk(walk, footPose(stance));
-    optimise(context, [step], { phase: "locomotion", start: leg, goal, goalYaw: bearing(stance, goal), goals: [] }, index);
+    optimise(
+      context,
+      [step],
+      { phase: "locomotion", start: leg, goal, goalYaw: bearing(stance, goal), goals: [] },
+      index,
+    );
     tidyFootsteps(context.skeleton, feet, [step], context.obstacles);
     fresh.push(step);
     feet[foot] = { foot, x: step.x, y: 0, z: step.z, yaw: step.yaw };
@@ -319,17 +416,25 @@ function prepareEntry(context: Context, entry: Entry, index: number, fresh: Draf
   const window = fresh.slice(fresh.length - Math.max(count, Math.min(extra, fresh.length)));
   // The feet as they are before the window.
   const from: Feet = { ...before };
-  for (const s of fresh.slice(0, fresh.length - window.length)) from[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
+  for (const s of fresh.slice(0, fresh.length - window.length))
+    from[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
   const goals = window.slice(-3).map((s, k, list) => {
     if (k === list.length - 1) return { x: entry.aim.x, z: entry.aim.z };
     const laid = entry.before[entry.before.length - list.length + k];
     // The capture's own way in, where the walk comes the same way.
-    return laid && groundDistance(laid, s) < 0.4 * walks.length ? { x: laid.x, z: laid.z } : { x: s.x, z: s.z };
+    return laid && groundDistance(laid, s) < 0.4 * walks.length
+      ? { x: laid.x, z: laid.z }
+      : { x: s.x, z: s.z };
   });
   const saved = context.feet;
   context.feet = from;
   const start = midPose(from.left, from.right);
-  optimise(context, window, { phase: "enterPreparation", start, goal: entry.aim, goalYaw: entry.aim.yaw, goals }, index);
+  optimise(
+    context,
+    window,
+    { phase: "enterPreparation", start, goal: entry.aim, goalYaw: entry.aim.yaw, goals },
+    index,
+  );
   tidyFootsteps(context.skeleton, from, window, context.obstacles);
   context.feet = saved;
 }
@@ -357,7 +462,12 @@ function planEntry(context: Context, entry: Entry, index: number): void {
   });
   const goals = laid.slice(-3).map((s) => ({ x: s.x, z: s.z }));
   const stance = context.feet[otherFoot(steps[0].foot)];
-  optimise(context, steps, { phase: "enter", start: stance, goal: entry.task.frame, goalYaw: laid[n - 1].yaw, goals }, index);
+  optimise(
+    context,
+    steps,
+    { phase: "enter", start: stance, goal: entry.task.frame, goalYaw: laid[n - 1].yaw, goals },
+    index,
+  );
   tidyFootsteps(context.skeleton, context.feet, steps, context.obstacles);
   for (const s of steps) lay(context, s, index, null);
 }

@@ -64,8 +64,8 @@ function corners(o: Obstacle, clearance: number): GroundPoint[] {
   }
   const c = Math.cos(o.yaw);
   const s = Math.sin(o.yaw);
-  // On the rounded corner at 45 degrees, so the way round is not longer than it must be.
-  const k = clearance * Math.SQRT1_2 * 1.25;
+  // As far out along both sides, so that the way along a side keeps the clearance too.
+  const k = clearance;
   return [
     [1, 1],
     [1, -1],
@@ -109,7 +109,11 @@ export function findRoute(
   const margins = obstacles.map((o) =>
     Math.max(
       -1,
-      Math.min(clearance, obstacleDistance(o, start.x, start.z) - 0.01, obstacleDistance(o, goal.x, goal.z) - 0.01),
+      Math.min(
+        clearance,
+        obstacleDistance(o, start.x, start.z) - 0.01,
+        obstacleDistance(o, goal.x, goal.z) - 0.01,
+      ),
     ),
   );
   const free = (a: GroundPoint, b: GroundPoint) => obstacles.every((o, i) => clearOf(o, a, b, margins[i]));
@@ -117,7 +121,12 @@ export function findRoute(
   const nodes: GroundPoint[] = [start, goal];
   for (const o of obstacles) {
     for (const p of corners(o, clearance * 1.02)) {
-      if (obstacles.every((other, i) => obstacleDistance(other, p.x, p.z) >= Math.min(margins[i], clearance) - 1e-6)) nodes.push(p);
+      if (
+        obstacles.every(
+          (other, i) => obstacleDistance(other, p.x, p.z) >= Math.min(margins[i], clearance) - 1e-6,
+        )
+      )
+        nodes.push(p);
     }
   }
   const n = nodes.length;
@@ -129,7 +138,12 @@ export function findRoute(
   for (;;) {
     let best = -1;
     for (let i = 0; i < n; i++) {
-      if (!closed[i] && cost[i] < Number.POSITIVE_INFINITY && (best < 0 || cost[i] + heuristic(i) < cost[best] + heuristic(best))) best = i;
+      if (
+        !closed[i] &&
+        cost[i] < Number.POSITIVE_INFINITY &&
+        (best < 0 || cost[i] + heuristic(i) < cost[best] + heuristic(best))
+      )
+        best = i;
     }
     if (best < 0) return { points: [{ x: goal.x, z: goal.z }], blocked: true };
     if (best === 1) break;

@@ -23,7 +23,12 @@ export const TIDY = {
 };
 
 /** Moves footsteps that cross, overreach or stand in an obstacle. Mutates `steps`; pivots are left. */
-export function tidyFootsteps(skeleton: Skeleton, feet: Feet, steps: DraftStep[], obstacles: readonly Obstacle[]): void {
+export function tidyFootsteps(
+  skeleton: Skeleton,
+  feet: Feet,
+  steps: DraftStep[],
+  obstacles: readonly Obstacle[],
+): void {
   const leg = skeleton.legLength;
   const now: Feet = { left: feet.left, right: feet.right };
   for (const s of steps) {
@@ -38,7 +43,11 @@ export function tidyFootsteps(skeleton: Skeleton, feet: Feet, steps: DraftStep[]
       const across = (c * local.x - sn * local.z) * side;
       const along = sn * local.x + c * local.z;
       const least = TIDY.apart * leg;
-      if (Math.abs(local.yaw) < 1.9 && across < least && Math.abs(along) < TIDY.beside * leg + Math.max(0, least - across)) {
+      if (
+        Math.abs(local.yaw) < 1.9 &&
+        across < least &&
+        Math.abs(along) < TIDY.beside * leg + Math.max(0, least - across)
+      ) {
         const push = (least - across) * side;
         local.x += c * push;
         local.z -= sn * push;
@@ -76,7 +85,11 @@ function keepOut(skeleton: Skeleton, s: DraftStep, obstacles: readonly Obstacle[
 }
 
 /** How many of the footsteps stand in an obstacle, their hips' way included: for choosing among templates. */
-export function collisions(steps: readonly { x: number; z: number; yaw: number }[], obstacles: readonly Obstacle[], hipRadius: number): number {
+export function collisions(
+  steps: readonly { x: number; z: number; yaw: number }[],
+  obstacles: readonly Obstacle[],
+  hipRadius: number,
+): number {
   let count = 0;
   for (let i = 0; i < steps.length; i++) {
     const s = steps[i];

@@ -26,11 +26,19 @@ export interface Timeline {
  *
  * @param from source frame its segment begins at, or null for the landing before it.
  */
-export function appendStep(library: Library, timeline: Timeline, draft: DraftStep, task: number, from: number | null): void {
+export function appendStep(
+  library: Library,
+  timeline: Timeline,
+  draft: DraftStep,
+  task: number,
+  from: number | null,
+): void {
   const source = library.clips[draft.clip];
   const step = source.steps[draft.step];
-  const longest = draft.category === "Walk" || draft.category === "TurnAndStep" ? LONGEST_LEAD : LONGEST_PAUSE;
-  const begin = from ?? Math.max(Math.min(previousLanding(source, draft.step), step.start), step.start - longest);
+  const longest =
+    draft.category === "Walk" || draft.category === "TurnAndStep" ? LONGEST_LEAD : LONGEST_PAUSE;
+  const begin =
+    from ?? Math.max(Math.min(previousLanding(source, draft.step), step.start), step.start - longest);
   const first = Math.min(begin, step.start);
   const frames = Math.max(1, step.end - first);
   timeline.segments.push({
@@ -53,14 +61,26 @@ export function appendStep(library: Library, timeline: Timeline, draft: DraftSte
 }
 
 /** Lays frames `from` to `to` of a clip without a step, stretched to `frames`. */
-export function appendHold(timeline: Timeline, clip: number, from: number, to: number, frames: number, task: number): void {
+export function appendHold(
+  timeline: Timeline,
+  clip: number,
+  from: number,
+  to: number,
+  frames: number,
+  task: number,
+): void {
   if (to <= from || frames <= 0) return;
   timeline.segments.push({ clip, from, to, start: timeline.cursor, frames, step: -1, task });
   timeline.cursor += frames;
 }
 
 /** Plan time (seconds) at which source frame `frame` of `clip` is shown by the segments from index `first` on; null when it is not. */
-export function timeOfSource(segments: readonly PlannedSegment[], first: number, clip: number, frame: number): number | null {
+export function timeOfSource(
+  segments: readonly PlannedSegment[],
+  first: number,
+  clip: number,
+  frame: number,
+): number | null {
   for (let i = first; i < segments.length; i++) {
     const s = segments[i];
     if (s.clip === clip && frame >= s.from && frame <= s.to) {

@@ -24,7 +24,11 @@ export function sourceTaskFrame(library: Library, template: Template): GroundPos
 }
 
 /** A template as it lies when its task's frame is laid on `frame`: steps, and the stance before them. */
-export function layInTaskFrame(library: Library, template: Template, frame: GroundPose): { steps: DraftStep[]; stance: Feet; before: GroundPose[] } {
+export function layInTaskFrame(
+  library: Library,
+  template: Template,
+  frame: GroundPose,
+): { steps: DraftStep[]; stance: Feet; before: GroundPose[] } {
   const source = sourceTaskFrame(library, template);
   const clip = library.clips[template.clip];
   const lay = (p: GroundPose) => toWorld(frame, toLocal(source, p));
@@ -35,7 +39,8 @@ export function layInTaskFrame(library: Library, template: Template, frame: Grou
     right: { ...stance.right, ...lay(footPose(stance.right)) },
   };
   const before: GroundPose[] = [];
-  for (let i = Math.max(0, template.first - 3); i < template.first; i++) before.push(lay(footPose(clip.steps[i].to)));
+  for (let i = Math.max(0, template.first - 3); i < template.first; i++)
+    before.push(lay(footPose(clip.steps[i].to)));
   return { steps, stance: laid, before };
 }
 
@@ -70,7 +75,8 @@ export function compete(
   const rows = competitors.map((c) => ({
     template: c.template,
     distance: c.distance,
-    cost: c.distance + COLLISION_COST * collisions(lay(c.template), obstacles, HIP_RADIUS) + extra(c.template),
+    cost:
+      c.distance + COLLISION_COST * collisions(lay(c.template), obstacles, HIP_RADIUS) + extra(c.template),
   }));
   rows.sort((a, b) => a.cost - b.cost || (a.template.id < b.template.id ? -1 : 1));
   return {

@@ -10,8 +10,8 @@ import type { SidecarTask } from "../capture/sidecar.ts";
 import { detectContacts } from "../contacts/baselines.ts";
 import { type GroundPose, midPose, toLocal } from "../math/frame2.ts";
 import { TASK_CATEGORIES, type TaskCategory } from "../scene/task-types.ts";
-import { assignPhases } from "../steps/phases.ts";
 import { categorise } from "../steps/categories.ts";
+import { assignPhases } from "../steps/phases.ts";
 import { segmentSteps } from "../steps/segment.ts";
 import { STEP_CATEGORIES, type Step } from "../steps/types.ts";
 import type { Library, LibraryClip, Template, TransitionDescriptor } from "./types.ts";
@@ -59,7 +59,13 @@ export function prepareClip(capture: Capture): LibraryClip {
   const contacts = detectContacts(clip, "both");
   const { steps, initialStance } = segmentSteps(clip, contacts);
   categorise(steps, initialStance, tasks, clip.rate, clip.skeleton.legLength);
-  const prepared: LibraryClip = { clip, contacts, tasks: [...tasks].sort((a, b) => a.contact - b.contact), steps, initialStance };
+  const prepared: LibraryClip = {
+    clip,
+    contacts,
+    tasks: [...tasks].sort((a, b) => a.contact - b.contact),
+    steps,
+    initialStance,
+  };
   for (const t of transitionsOf(prepared)) assignPhases(steps, t.first, t.last, initialStance);
   return prepared;
 }
@@ -70,7 +76,14 @@ function mirrorLibraryClip(source: LibraryClip): LibraryClip {
     clip: mirrorClip(source.clip),
     contacts: mirrorContacts(source.contacts),
     tasks: source.tasks.map(mirrorTask),
-    steps: source.steps.map((s): Step => ({ ...s, foot: s.foot === "left" ? "right" : "left", from: mirrorFootstep(s.from), to: mirrorFootstep(s.to) })),
+    steps: source.steps.map(
+      (s): Step => ({
+        ...s,
+        foot: s.foot === "left" ? "right" : "left",
+        from: mirrorFootstep(s.from),
+        to: mirrorFootstep(s.to),
+      }),
+    ),
     initialStance: [mirrorFootstep(right), mirrorFootstep(left)],
   };
 }
@@ -111,7 +124,8 @@ function addClip(library: Library, clip: LibraryClip, name: string, mirrored: bo
     if (steps[i].category === "Walk" && steps[i].phase === "locomotion") library.walks.push([index, i]);
   }
   const start = midPose(clip.initialStance[0], clip.initialStance[1]);
-  const frameOf = (k: number): GroundPose => (k < 0 ? start : { x: tasks[k].position[0], z: tasks[k].position[2], yaw: tasks[k].yaw });
+  const frameOf = (k: number): GroundPose =>
+    k < 0 ? start : { x: tasks[k].position[0], z: tasks[k].position[2], yaw: tasks[k].yaw };
   for (const t of transitionsOf(clip)) {
     if (t.to >= tasks.length) continue;
     const current = frameOf(t.from);
@@ -131,7 +145,13 @@ function addClip(library: Library, clip: LibraryClip, name: string, mirrored: bo
       followupInNext: followupInNext ? [followupInNext.x, followupInNext.z] : null,
       followupEffort: followup ? followup.effort : null,
     });
-    const add = (phase: Template["phase"], category: TaskCategory, first: number, last: number, task: number) => {
+    const add = (
+      phase: Template["phase"],
+      category: TaskCategory,
+      first: number,
+      last: number,
+      task: number,
+    ) => {
       if (last <= first) return;
       library.templates.push({
         id: `${name}${mirrored ? "~" : ""}/${phase}/${first}`,
@@ -159,7 +179,9 @@ function endsOnOneFoot(clip: LibraryClip, last: number, task: SidecarTask): "lef
   const step = clip.steps[last - 1];
   const next = clip.steps[last];
   if (!step || !next) return null;
-  const quick = next.start - step.end < 0.34 * clip.clip.rate && next.start - task.end * clip.clip.rate < 0.34 * clip.clip.rate;
+  const quick =
+    next.start - step.end < 0.34 * clip.clip.rate &&
+    next.start - task.end * clip.clip.rate < 0.34 * clip.clip.rate;
   return quick && next.foot !== step.foot ? step.foot : null;
 }
 

@@ -27,15 +27,21 @@ export function createKdTree(rows: Float64Array, dimensions: number): KdTree {
   };
   build(0, count, 0);
   const points = new Float64Array(rows.length);
-  for (let i = 0; i < count; i++) for (let k = 0; k < dimensions; k++) points[i * dimensions + k] = rows[ids[i] * dimensions + k];
+  for (let i = 0; i < count; i++)
+    for (let k = 0; k < dimensions; k++) points[i * dimensions + k] = rows[ids[i] * dimensions + k];
   return { dimensions, points, ids };
 }
 
 /** The k nearest rows, nearest first (ties by index): index and distance. */
-export function nearest(tree: KdTree, query: readonly number[], k: number): { id: number; distance: number }[] {
+export function nearest(
+  tree: KdTree,
+  query: readonly number[],
+  k: number,
+): { id: number; distance: number }[] {
   const best: { id: number; distance: number }[] = [];
   const { dimensions: d, points, ids } = tree;
-  const worse = (a: { id: number; distance: number }, b: { id: number; distance: number }) => a.distance - b.distance || a.id - b.id;
+  const worse = (a: { id: number; distance: number }, b: { id: number; distance: number }) =>
+    a.distance - b.distance || a.id - b.id;
   const visit = (from: number, to: number, depth: number) => {
     if (to <= from) return;
     const middle = (from + to) >> 1;

@@ -76,7 +76,7 @@ export function encodeLibrary(library: Library): Uint8Array {
         let before = 0;
         for (let f = 0; f < clip.frames; f++) {
           // Differences wrap in 16 bits, and back on reading.
-          view.setInt16(at, (column[f] - before) << 16 >> 16, true);
+          view.setInt16(at, ((column[f] - before) << 16) >> 16, true);
           before = column[f];
           at += 2;
         }
@@ -99,19 +99,25 @@ export function encodeLibrary(library: Library): Uint8Array {
  * @throws LibraryError when they are no library, cut short or damaged.
  */
 export function decodeLibrary(bytes: Uint8Array): Library {
-  if (bytes.length < 8 || strFromU8(bytes.subarray(0, 4)) !== MAGIC) throw new LibraryError("library: the file does not begin with SWL1.");
+  if (bytes.length < 8 || strFromU8(bytes.subarray(0, 4)) !== MAGIC)
+    throw new LibraryError("library: the file does not begin with SWL1.");
   const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(4, true);
-  if (8 + length > bytes.length) throw new LibraryError(`library: cut short: ${bytes.length} bytes, ${8 + length} or more expected.`);
+  if (8 + length > bytes.length)
+    throw new LibraryError(`library: cut short: ${bytes.length} bytes, ${8 + length} or more expected.`);
   let heads: ClipHead[];
   let body: Uint8Array;
   try {
-    heads = (JSON.parse(strFromU8(inflateSync(bytes.subarray(8, 8 + length)))) as { clips: ClipHead[] }).clips;
+    heads = (JSON.parse(strFromU8(inflateSync(bytes.subarray(8, 8 + length)))) as { clips: ClipHead[] })
+      .clips;
     body = joinBytes(inflateSync(bytes.subarray(8 + length)));
   } catch (error) {
     throw new LibraryError(`library: damaged: ${error instanceof Error ? error.message : String(error)}`);
   }
   const total = heads.reduce((n, c) => n + c.frames, 0);
-  if (body.length !== total * (CHANNELS * 2 + 12)) throw new LibraryError(`library: ${body.length} bytes of motion, ${total * (CHANNELS * 2 + 12)} expected.`);
+  if (body.length !== total * (CHANNELS * 2 + 12))
+    throw new LibraryError(
+      `library: ${body.length} bytes of motion, ${total * (CHANNELS * 2 + 12)} expected.`,
+    );
   const view = new DataView(body.buffer, body.byteOffset);
   let at = 0;
   const clips = heads.map((h): LibraryClip => {
@@ -137,11 +143,19 @@ export function decodeLibrary(bytes: Uint8Array): Library {
           at += 2;
         }
       }
-      for (let f = 0; f < h.frames; f++) quatFromRotationVector(rotations, 4 * (f * JOINT_COUNT + j), x[f] * TURN, y[f] * TURN, z[f] * TURN);
+      for (let f = 0; f < h.frames; f++)
+        quatFromRotationVector(rotations, 4 * (f * JOINT_COUNT + j), x[f] * TURN, y[f] * TURN, z[f] * TURN);
     }
     sameHemisphere(rotations, h.frames);
     return {
-      clip: { name: h.name, skeleton: createSkeleton(h.height, h.proportions), rate: 60, frames: h.frames, root, rotations },
+      clip: {
+        name: h.name,
+        skeleton: createSkeleton(h.height, h.proportions),
+        rate: 60,
+        frames: h.frames,
+        root,
+        rotations,
+      },
       contacts: fromRunLengths(h.contacts, h.frames),
       tasks: h.tasks,
       steps: h.steps,
@@ -176,7 +190,8 @@ function sameHemisphere(r: Float64Array, frames: number): void {
   const row = 4 * JOINT_COUNT;
   for (let i = row; i < frames * row; i += 4) {
     const b = i - row;
-    if (r[i] * r[b] + r[i + 1] * r[b + 1] + r[i + 2] * r[b + 2] + r[i + 3] * r[b + 3] < 0) for (let k = 0; k < 4; k++) r[i + k] = -r[i + k];
+    if (r[i] * r[b] + r[i + 1] * r[b + 1] + r[i + 2] * r[b + 2] + r[i + 3] * r[b + 3] < 0)
+      for (let k = 0; k < 4; k++) r[i + k] = -r[i + k];
   }
 }
 

@@ -29,7 +29,9 @@ export function retargetLibrary(library: Library, skeleton: Skeleton): Library {
         },
       };
     }),
-    enterRadius: Object.fromEntries(Object.entries(library.enterRadius).map(([c, r]) => [c, r * mean])) as Library["enterRadius"],
+    enterRadius: Object.fromEntries(
+      Object.entries(library.enterRadius).map(([c, r]) => [c, r * mean]),
+    ) as Library["enterRadius"],
   };
 }
 
@@ -38,7 +40,10 @@ function retargetLibraryClip(c: LibraryClip, skeleton: Skeleton, k: number): Lib
   return {
     ...c,
     clip: { ...c.clip, skeleton, root: c.clip.root.map((v) => v * k) },
-    tasks: c.tasks.map((t) => ({ ...t, position: [t.position[0] * k, t.position[1] * k, t.position[2] * k] })),
+    tasks: c.tasks.map((t) => ({
+      ...t,
+      position: [t.position[0] * k, t.position[1] * k, t.position[2] * k],
+    })),
     steps: c.steps.map((s) => ({ ...s, from: scaled(s.from), to: scaled(s.to) })),
     initialStance: [scaled(c.initialStance[0]), scaled(c.initialStance[1])],
   };

@@ -43,7 +43,12 @@ interface Group {
 
 const indices = new WeakMap<Library, Map<string, Group>>();
 
-function group(library: Library, key: string, keep: (t: Template) => boolean, place: (t: Template) => number[]): Group {
+function group(
+  library: Library,
+  key: string,
+  keep: (t: Template) => boolean,
+  place: (t: Template) => number[],
+): Group {
   let map = indices.get(library);
   if (!map) {
     map = new Map();
@@ -60,7 +65,10 @@ function group(library: Library, key: string, keep: (t: Template) => boolean, pl
 }
 
 function pick(g: Group, query: number[], k: number, extra: number): Retrieved[] {
-  return nearest(g.tree, query, k).map((n) => ({ template: g.templates[n.id], distance: n.distance + extra }));
+  return nearest(g.tree, query, k).map((n) => ({
+    template: g.templates[n.id],
+    distance: n.distance + extra,
+  }));
 }
 
 /** Whether a template was performed with this hand; only writing has one. */
@@ -86,7 +94,10 @@ export function retrieveExit(library: Library, query: ExitQuery, k: number): Ret
       (t) => t.descriptor.nextInCurrent.map((v) => v * W_D),
     );
   const at = query.nextInCurrent.map((v) => v * W_D);
-  const lists = [pick(of(category, query.currentEffort), at, k, 0), pick(of(category, query.currentEffort === 1 ? 0 : 1), at, k, W_E)];
+  const lists = [
+    pick(of(category, query.currentEffort), at, k, 0),
+    pick(of(category, query.currentEffort === 1 ? 0 : 1), at, k, W_E),
+  ];
   return best(lists, k);
 }
 
@@ -94,7 +105,8 @@ export function retrieveExit(library: Library, query: ExitQuery, k: number): Ret
 export function retrieveEntry(library: Library, query: EntryQuery, k: number): Retrieved[] {
   const { category, hand } = query;
   const handed = category === "write";
-  const fits = (t: Template) => t.phase === "enter" && t.descriptor.category === category && (!handed || handOf(library, t) === hand);
+  const fits = (t: Template) =>
+    t.phase === "enter" && t.descriptor.category === category && (!handed || handOf(library, t) === hand);
   const at = query.currentInNext.map((v) => v * W_D);
   const plain = (effort: Effort) =>
     group(
@@ -110,17 +122,36 @@ export function retrieveEntry(library: Library, query: EntryQuery, k: number): R
       const g = group(
         library,
         `coarticulated/${category}/${f}/${handed ? hand : ""}`,
-        (t) => fits(t) && t.descriptor.nextEffort === 0 && t.descriptor.followupInNext !== null && t.descriptor.followupEffort === f,
-        (t) => [...t.descriptor.currentInNext.map((v) => v * W_D), ...(t.descriptor.followupInNext ?? [0, 0]).map((v) => v * W_F)],
+        (t) =>
+          fits(t) &&
+          t.descriptor.nextEffort === 0 &&
+          t.descriptor.followupInNext !== null &&
+          t.descriptor.followupEffort === f,
+        (t) => [
+          ...t.descriptor.currentInNext.map((v) => v * W_D),
+          ...(t.descriptor.followupInNext ?? [0, 0]).map((v) => v * W_F),
+        ],
       );
       if (g.templates.length === 0) return [];
       // Eq. 10 adds the two distances; the tree's joint one finds candidates, eq. 10 ranks them.
       return nearest(g.tree, [...at, ...follow], Math.max(4 * k, 16)).map((n) => {
         const t = g.templates[n.id];
         const d = t.descriptor;
-        const dc = Math.hypot(d.currentInNext[0] - query.currentInNext[0], d.currentInNext[1] - query.currentInNext[1]);
-        const df = d.followupInNext && query.followupInNext ? Math.hypot(d.followupInNext[0] - query.followupInNext[0], d.followupInNext[1] - query.followupInNext[1]) : 0;
-        return { template: t, distance: W_D * dc + W_F * df + W_E * Math.abs((query.followupEffort ?? 1) - f) };
+        const dc = Math.hypot(
+          d.currentInNext[0] - query.currentInNext[0],
+          d.currentInNext[1] - query.currentInNext[1],
+        );
+        const df =
+          d.followupInNext && query.followupInNext
+            ? Math.hypot(
+                d.followupInNext[0] - query.followupInNext[0],
+                d.followupInNext[1] - query.followupInNext[1],
+              )
+            : 0;
+        return {
+          template: t,
+          distance: W_D * dc + W_F * df + W_E * Math.abs((query.followupEffort ?? 1) - f),
+        };
       });
     });
     const found = best(lists, k);

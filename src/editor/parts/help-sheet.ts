@@ -45,7 +45,9 @@ export function helpSheet(e: Editor): void {
     render(
       html`<div class="help">
         <h2>Keys</h2>
-        <label class="field" style="margin-top: 10px"><span>Find</span><input type="search" .value=${search} @input=${(ev: Event) => {
+        <label class="field" style="margin-top: 10px"><span>Find</span><input type="search" .value=${search} @input=${(
+          ev: Event,
+        ) => {
           search = (ev.target as HTMLInputElement).value;
           draw();
         }} /></label>

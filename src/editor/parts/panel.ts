@@ -52,17 +52,30 @@ function sceneTab(e: Editor): TemplateResult {
   `;
 }
 
-function numberField(e: Editor, label: string, axis: string, value: string, unit: string, set: (v: number) => void): TemplateResult {
-  return html`<label class="field"><span>${axis}</span><input inputmode="decimal" aria-label=${label} .value=${value} @keydown=${(ev: KeyboardEvent) => {
+function numberField(
+  e: Editor,
+  label: string,
+  axis: string,
+  value: string,
+  unit: string,
+  set: (v: number) => void,
+): TemplateResult {
+  return html`<label class="field"><span>${axis}</span><input inputmode="decimal" aria-label=${label} .value=${value} @keydown=${(
+    ev: KeyboardEvent,
+  ) => {
     const step = ev.key === "ArrowUp" ? 1 : ev.key === "ArrowDown" ? -1 : 0;
     if (!step) return;
     ev.preventDefault();
     const input = ev.target as HTMLInputElement;
-    set(Number(input.value.replace("\u2212", "-")) + step * (ev.shiftKey ? 10 : ev.altKey ? 0.1 : 1) * (unit === "°" ? 1 : 0.01));
+    set(
+      Number(input.value.replace("\u2212", "-")) +
+        step * (ev.shiftKey ? 10 : ev.altKey ? 0.1 : 1) * (unit === "°" ? 1 : 0.01),
+    );
   }} @change=${(ev: Event) => {
     const v = Number((ev.target as HTMLInputElement).value.replace("\u2212", "-").replace(",", "."));
     if (Number.isFinite(v)) set(v);
-    else e.fail(`${label}: a number is needed, found ${JSON.stringify((ev.target as HTMLInputElement).value)}.`);
+    else
+      e.fail(`${label}: a number is needed, found ${JSON.stringify((ev.target as HTMLInputElement).value)}.`);
   }} /><span>${unit}</span></label>`;
 }
 
@@ -82,14 +95,16 @@ function taskTab(e: Editor, t: SceneTask): TemplateResult {
       <div class="subject"><span class="glyph">${TASK_ICONS[t.category]}</span><div><h2>${TASK_WORDS[t.category]}</h2><span class="note">Task ${index + 1} of ${s.scene.order.length}${time ? ` · ${time.start.toFixed(2)} to ${time.end.toFixed(2)} s` : ""}</span></div></div>
       <div class="row">Position <div class="fields">${numberField(e, "Position x", "x", text(t.position[0]), "", place(0))}${numberField(e, "Height y", "y", text(t.position[1]), "", place(1))}${numberField(e, "Position z", "z", text(t.position[2]), "", place(2))}</div></div>
       <div class="row">Facing ${numberField(e, "Facing", "", degrees(t.yaw), "°", (v) => e.edit((scene, c) => c.placeTask(scene, t.id, t.position, (v * Math.PI) / 180)))}</div>
-      ${t.category === "write"
-        ? html`<div class="row">Effort <div class="segments">
+      ${
+        t.category === "write"
+          ? html`<div class="row">Effort <div class="segments">
               ${([0, 1] as const).map((v) => html`<button aria-pressed=${t.effort === v} @click=${() => e.edit((scene, c) => c.changeTask(scene, t.id, { effort: v }))}>${v === 0 ? "Low" : "High"}</button>`)}
             </div></div>
             <div class="row">Hand <div class="segments">
               ${(["left", "right"] as const).map((v) => html`<button aria-pressed=${t.hand === v} @click=${() => e.edit((scene, c) => c.changeTask(scene, t.id, { hand: v }))}>${v === "left" ? "Left" : "Right"}</button>`)}
             </div></div>`
-        : nothing}
+          : nothing
+      }
       ${t.category !== "turn" ? html`<div class="row">Hold ${numberField(e, "Hold", "", (t.duration ?? natural).toFixed(2), "s", (v) => e.edit((scene, c) => c.changeTask(scene, t.id, { duration: Math.max(0, Math.min(600, v)) })))}</div>` : nothing}
       <div class="actions"><button class="plain" @click=${() => e.duplicate()}>Duplicate</button><button class="plain danger" @click=${() => e.remove()}>Delete</button></div>
     </section>
@@ -126,9 +141,11 @@ function objective(e: Editor, index: number): TemplateResult {
   const data = { rows: trace.terms, names: ["Total", "Template", "Spacing", "Heading", "Goal", "Line"] };
   return html`<section class="section">
     <header><h3>Objective while fitting</h3><span>${trace.terms.length - 1} iterations</span></header>
-    ${e.tables.has("objective")
-      ? html`<table class="data"><tr><th>total</th>${TERM_NAMES.map((n) => html`<th>${n}</th>`)}</tr>${trace.terms.map((r) => html`<tr>${r.map((v) => html`<td>${v.toFixed(3)}</td>`)}</tr>`)}</table>`
-      : html`<div>${unsafeSVG(objectivePlot(data))}</div>`}
+    ${
+      e.tables.has("objective")
+        ? html`<table class="data"><tr><th>total</th>${TERM_NAMES.map((n) => html`<th>${n}</th>`)}</tr>${trace.terms.map((r) => html`<tr>${r.map((v) => html`<td>${v.toFixed(3)}</td>`)}</tr>`)}</table>`
+        : html`<div>${unsafeSVG(objectivePlot(data))}</div>`
+    }
     <p class="note">${objectiveFinding(data)} <button class="plain" @click=${() => e.toggleTable("objective")}>${e.tables.has("objective") ? "Plot" : "Table"}</button></p>
   </section>`;
 }
@@ -154,8 +171,10 @@ function planTab(e: Editor): TemplateResult {
       <div class="list">${STEP_CATEGORIES.map((c, i) => html`<div class="row" style="grid-template-columns: 20px 1fr 40px; min-height: 24px"><span class="swatch" style="background: ${CATEGORY_COLOURS[c].fill}"></span>${CATEGORY_WORDS[c]}<span style="text-align: right">${counts[i]}</span></div>`)}</div>
     </section>
     ${competition(e, Math.max(0, e.currentTask()))} ${objective(e, Math.max(0, e.currentTask()))}
-    ${s.transitions
-      ? html`<section class="section"><header><h3>Which step follows which</h3><span>in the captures</span></header><div>${unsafeSVG(transitionGraph({ counts: s.transitions, colours: STEP_CATEGORIES.map((c) => CATEGORY_COLOURS[c].fill), codes: STEP_CATEGORIES.map((c) => CATEGORY_COLOURS[c].code) }))}</div></section>`
-      : nothing}
+    ${
+      s.transitions
+        ? html`<section class="section"><header><h3>Which step follows which</h3><span>in the captures</span></header><div>${unsafeSVG(transitionGraph({ counts: s.transitions, colours: STEP_CATEGORIES.map((c) => CATEGORY_COLOURS[c].fill), codes: STEP_CATEGORIES.map((c) => CATEGORY_COLOURS[c].code) }))}</div></section>`
+        : nothing
+    }
   `;
 }

@@ -44,10 +44,22 @@ function strip(e: Editor, duration: number): string {
       duration,
       time: s.time,
       contacts: motion ? motion.contacts.subarray(0, motion.filled) : new Uint8Array(0),
-      steps: (s.plan?.steps ?? []).map((p, index) => ({ foot: p.foot, category: p.category, lift: p.lift, land: p.land, index })),
+      steps: (s.plan?.steps ?? []).map((p, index) => ({
+        foot: p.foot,
+        category: p.category,
+        lift: p.lift,
+        land: p.land,
+        index,
+      })),
       tasks: (s.plan?.tasks ?? []).map((t) => {
         const task = s.scene.tasks.find((x) => x.id === t.id);
-        return { id: t.id, word: task ? TASK_WORDS[task.category].split(" ")[0] : t.id, contact: t.contact, end: t.end, selected: t.id === s.selected };
+        return {
+          id: t.id,
+          word: task ? TASK_WORDS[task.category].split(" ")[0] : t.id,
+          contact: t.contact,
+          end: t.end,
+          selected: t.id === s.selected,
+        };
       }),
       colours: CATEGORY_COLOURS,
       words: CATEGORY_WORDS,

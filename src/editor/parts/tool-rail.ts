@@ -12,7 +12,8 @@ export function toolRail(e: Editor): TemplateResult {
     <button aria-label="Select" data-tip="Select  V" aria-pressed=${s.tool === "select"} @click=${() => e.setTool("select")}>${ICONS.select}</button>
     <hr />
     ${TASK_CATEGORIES.map(
-      (c) => html`<button aria-label="Add: ${TASK_WORDS[c]}" data-tip="Add: ${TASK_WORDS[c].toLowerCase()}  ${KEYS[c]}" aria-pressed=${s.tool === c} @click=${() => e.setTool(s.tool === c ? "select" : c)}>${TASK_ICONS[c]}</button>`,
+      (c) =>
+        html`<button aria-label="Add: ${TASK_WORDS[c]}" data-tip="Add: ${TASK_WORDS[c].toLowerCase()}  ${KEYS[c]}" aria-pressed=${s.tool === c} @click=${() => e.setTool(s.tool === c ? "select" : c)}>${TASK_ICONS[c]}</button>`,
     )}
   </div>`;
 }

@@ -4,7 +4,20 @@ import { wrapAngle } from "../../core/math/angle.ts";
 import { bearing, type GroundPose, groundDistance, toLocal, toWorld } from "../../core/math/frame2.ts";
 import type { Effort, TaskCategory } from "../../core/scene/task-types.ts";
 import type { WriteEvent } from "../score.ts";
-import { look, middle, openTowards, shuffleTo, sideStepTo, sideOf, step, turnIn, wait, type Walker, walkTo, other } from "./walker.ts";
+import {
+  look,
+  middle,
+  openTowards,
+  other,
+  shuffleTo,
+  sideOf,
+  sideStepTo,
+  step,
+  turnIn,
+  type Walker,
+  wait,
+  walkTo,
+} from "./walker.ts";
 
 const DEG = Math.PI / 180;
 
@@ -69,7 +82,12 @@ function go(w: Walker, goal: Goal, next: Goal | null): void {
   const course = way > 0.15 ? bearing(from, place) : place.yaw;
   const local = toLocal(from, place);
   const pivots = goal.category === "write" || goal.category === "sit" || goal.category === "turn";
-  const leaves = last === undefined || last.category === "write" || last.category === "sit" || last.category === "turn" || last.category === "stand";
+  const leaves =
+    last === undefined ||
+    last.category === "write" ||
+    last.category === "sit" ||
+    last.category === "turn" ||
+    last.category === "stand";
   look(w, target(goal), 0.02);
   if (goal.category === "turn") {
     openTowards(w, course, leaves && !w.carrying);
@@ -78,9 +96,18 @@ function go(w: Walker, goal: Goal, next: Goal | null): void {
   }
   const facing = Math.abs(wrapAngle(place.yaw - from.yaw));
   if (goal.effort === 0 && goal.category === "write" && tapInPassing(w, goal, next, way, course)) return;
-  if (way < 0.95 * w.scale && facing < 28 * DEG && Math.abs(local.x) > 1.2 * Math.abs(local.z) && Math.abs(local.x) > 0.1) {
+  if (
+    way < 0.95 * w.scale &&
+    facing < 28 * DEG &&
+    Math.abs(local.x) > 1.2 * Math.abs(local.z) &&
+    Math.abs(local.x) > 0.1
+  ) {
     const short = goal.effort === 0 ? Math.min(1, Math.max(0.3, 1 - 0.35 / Math.abs(local.x))) : 1;
-    const at = { x: from.x + short * (place.x - from.x), z: from.z + short * (place.z - from.z), yaw: place.yaw };
+    const at = {
+      x: from.x + short * (place.x - from.x),
+      z: from.z + short * (place.z - from.z),
+      yaw: place.yaw,
+    };
     sideStepTo(w, at);
     return;
   }
@@ -108,14 +135,35 @@ function tapInPassing(w: Walker, goal: Goal, next: Goal | null, way: number, cou
   if (Math.abs(across) < 30 * DEG || Math.abs(across) > 125 * DEG) return false;
   openTowards(w, course, !w.carrying);
   const side = goal.hand === "left" ? -1 : 1;
-  const stand = toWorld({ x: goal.x, z: goal.z, yaw: goal.yaw }, { x: 0.05 * side, z: -0.5 * w.scale, yaw: 0 });
+  const stand = toWorld(
+    { x: goal.x, z: goal.z, yaw: goal.yaw },
+    { x: 0.05 * side, z: -0.5 * w.scale, yaw: 0 },
+  );
   // The foot on the board's side is ahead, so that the hips can open to it.
   const near = across > 0 ? "left" : "right";
-  const before = { x: stand.x - Math.sin(course) * 0.3 * w.scale, z: stand.z - Math.cos(course) * 0.3 * w.scale };
+  const before = {
+    x: stand.x - Math.sin(course) * 0.3 * w.scale,
+    z: stand.z - Math.cos(course) * 0.3 * w.scale,
+  };
   walkTo(w, before, other(near));
   const centre = { x: stand.x, z: stand.z, yaw: course + 0.4 * across };
-  step(w, near, "turnStep", toWorld(centre, { x: sideOf(near) * 0.09 * w.scale, z: 0.08 * w.scale, yaw: 0.1 * across }), 1.05);
-  step(w, other(near), "walk", toWorld({ ...centre, yaw: course + 0.3 * across }, { x: sideOf(other(near)) * 0.1 * w.scale, z: -0.05 * w.scale, yaw: 0.1 * across }), 1.05);
+  step(
+    w,
+    near,
+    "turnStep",
+    toWorld(centre, { x: sideOf(near) * 0.09 * w.scale, z: 0.08 * w.scale, yaw: 0.1 * across }),
+    1.05,
+  );
+  step(
+    w,
+    other(near),
+    "walk",
+    toWorld(
+      { ...centre, yaw: course + 0.3 * across },
+      { x: sideOf(other(near)) * 0.1 * w.scale, z: -0.05 * w.scale, yaw: 0.1 * across },
+    ),
+    1.05,
+  );
   return true;
 }
 
@@ -123,8 +171,12 @@ function tapInPassing(w: Walker, goal: Goal, next: Goal | null, way: number, cou
 function turnAt(w: Walker, goal: Goal, course: number): void {
   const turn = wrapAngle(goal.yaw - course);
   const inner = turn > 0 ? "left" : "right";
-  const before = { x: goal.x - Math.sin(course) * 0.3 * w.scale, z: goal.z - Math.cos(course) * 0.3 * w.scale };
-  if (groundDistance(middle(w), before) > 0.3 * w.scale) walkTo(w, before, Math.abs(turn) > 25 * DEG ? other(inner) : null, goal.curve ?? 0);
+  const before = {
+    x: goal.x - Math.sin(course) * 0.3 * w.scale,
+    z: goal.z - Math.cos(course) * 0.3 * w.scale,
+  };
+  if (groundDistance(middle(w), before) > 0.3 * w.scale)
+    walkTo(w, before, Math.abs(turn) > 25 * DEG ? other(inner) : null, goal.curve ?? 0);
   let foot = w.lastFoot ? other(w.lastFoot) : inner;
   let yaw = course;
   const n = Math.max(1, Math.ceil(Math.abs(turn) / (58 * DEG)));
@@ -133,7 +185,12 @@ function turnAt(w: Walker, goal: Goal, course: number): void {
     const m = middle(w);
     const f = 1 / k;
     const centre = { x: m.x + f * (goal.x - m.x), z: m.z + f * (goal.z - m.z), yaw };
-    step(w, foot, "turnStep", toWorld(centre, { x: sideOf(foot) * 0.095 * w.scale, z: 0, yaw: sideOf(foot) * 0.1 }));
+    step(
+      w,
+      foot,
+      "turnStep",
+      toWorld(centre, { x: sideOf(foot) * 0.095 * w.scale, z: 0, yaw: sideOf(foot) * 0.1 }),
+    );
     foot = other(foot);
   }
   if (Math.abs(turn) > 100 * DEG) {
@@ -149,7 +206,18 @@ function task(goal: Goal, start: number, contact: number, end: number): SidecarT
   return {
     category: goal.category,
     effort: goal.effort ?? 1,
-    position: [goal.x, goal.y ?? (goal.category === "write" ? 1.35 : goal.category === "sit" ? 0.46 : goal.category === "turn" ? 0 : 0.87), goal.z],
+    position: [
+      goal.x,
+      goal.y ??
+        (goal.category === "write"
+          ? 1.35
+          : goal.category === "sit"
+            ? 0.46
+            : goal.category === "turn"
+              ? 0
+              : 0.87),
+      goal.z,
+    ],
     yaw: goal.yaw,
     start: round(start),
     contact: round(contact),
@@ -165,7 +233,19 @@ function act(w: Walker, goal: Goal, next: Goal | null): void {
       if (goal.effort === 0) {
         // The hand is already coming as the foot lands.
         const contact = t + 0.2;
-        w.events.push({ type: "write", task: task(goal, t - 0.35, contact, contact + 0.2), strokes: [{ times: [contact, contact + 0.2], points: [[0, 0], [0.004, 0.002]] }] });
+        w.events.push({
+          type: "write",
+          task: task(goal, t - 0.35, contact, contact + 0.2),
+          strokes: [
+            {
+              times: [contact, contact + 0.2],
+              points: [
+                [0, 0],
+                [0.004, 0.002],
+              ],
+            },
+          ],
+        });
         w.time = contact + 0.12;
         break;
       }
@@ -182,7 +262,12 @@ function act(w: Walker, goal: Goal, next: Goal | null): void {
       const start = t + 0.02;
       const contact = start + 0.85;
       const end = contact + 0.95;
-      w.events.push({ type: "lift", task: task(goal, start, contact, end), mass: 10, size: [0.36, 0.26, 0.28] });
+      w.events.push({
+        type: "lift",
+        task: task(goal, start, contact, end),
+        mass: 10,
+        size: [0.36, 0.26, 0.28],
+      });
       w.time = end + 0.02;
       w.lastFoot = null;
       w.carrying = true;
@@ -210,7 +295,10 @@ function act(w: Walker, goal: Goal, next: Goal | null): void {
       break;
     }
     default: {
-      w.events.push({ type: "note", task: task(goal, t - 0.3, t, t + (goal.category === "stand" ? 1.2 : 0.03)) });
+      w.events.push({
+        type: "note",
+        task: task(goal, t - 0.3, t, t + (goal.category === "stand" ? 1.2 : 0.03)),
+      });
       if (goal.category === "stand") wait(w, 1.2);
     }
   }
@@ -240,4 +328,3 @@ function circles(w: Walker, contact: number, hold: number): WriteEvent["strokes"
   }
   return strokes;
 }
-

@@ -5,7 +5,14 @@
  * a step, a quarter of it in double support [Perry, Gait Analysis]), varied a little by a seed as people vary.
  */
 import { wrapAngle } from "../../core/math/angle.ts";
-import { bearing, type GroundPose, groundDistance, midPose, toLocal, toWorld } from "../../core/math/frame2.ts";
+import {
+  bearing,
+  type GroundPose,
+  groundDistance,
+  midPose,
+  toLocal,
+  toWorld,
+} from "../../core/math/frame2.ts";
 import { createRandom, type Random } from "../../core/math/random.ts";
 import { pivotPlace } from "../../core/motion/sole.ts";
 import { createSkeleton, type Skeleton } from "../../core/skeleton/skeleton.ts";
@@ -76,7 +83,8 @@ export function createWalker(name: string, seed: number, at: GroundPose, actor: 
 
 /** Footsteps of a stance about a middle. */
 export function standingPair(at: GroundPose, scale: number): Record<Foot, GroundPose> {
-  const pair = (f: Foot) => toWorld(at, { x: sideOf(f) * STANCE.half * scale, z: 0, yaw: sideOf(f) * STANCE.toeOut });
+  const pair = (f: Foot) =>
+    toWorld(at, { x: sideOf(f) * STANCE.half * scale, z: 0, yaw: sideOf(f) * STANCE.toeOut });
   return { left: pair("left"), right: pair("right") };
 }
 
@@ -88,7 +96,10 @@ export function step(w: Walker, foot: Foot, kind: StepKind, to: GroundPose, slow
   const vary = 1 + 0.025 * w.random.normal();
   const pace = Math.sqrt(w.scale) * slow * (w.carrying ? 1.06 : 1) * vary;
   const pivot = kind === "heelPivot" || kind === "toePivot";
-  const place = pivot ? pivotPlace(w.skeleton.foot, w.feet[foot], to.yaw, kind === "heelPivot" ? "heel" : "ball") : to;
+  const place = pivot
+    ? pivotPlace(w.skeleton.foot, w.feet[foot], to.yaw, kind === "heelPivot" ? "heel" : "ball")
+    : { ...to };
+  if (!pivot) keepApart(w, foot, place);
   const lift = Math.round((w.time + support * pace) * 60) / 60;
   const land = Math.round((lift + air * pace) * 60) / 60;
   const s: ScoreStep = { foot, kind, lift, land, x: place.x, z: place.z, yaw: wrapAngle(to.yaw) };
@@ -97,6 +108,20 @@ export function step(w: Walker, foot: Foot, kind: StepKind, to: GroundPose, slow
   w.time = land;
   w.lastFoot = foot;
   return s;
+}
+
+/** A landing foot keeps its ankle a foot's breadth from the other, towards its own side. */
+function keepApart(w: Walker, foot: Foot, place: { x: number; z: number }): void {
+  const stance = w.feet[other(foot)];
+  const least = 0.165 * w.scale;
+  const d = groundDistance(stance, place);
+  if (d >= least) return;
+  const own = toWorld({ ...stance, x: 0, z: 0 }, { x: sideOf(foot), z: 0, yaw: 0 });
+  const dx = d > 1e-6 ? (place.x - stance.x) / d + own.x : own.x;
+  const dz = d > 1e-6 ? (place.z - stance.z) / d + own.z : own.z;
+  const n = Math.hypot(dx, dz) || 1;
+  place.x = stance.x + (dx / n) * least;
+  place.z = stance.z + (dz / n) * least;
 }
 
 /** Turns a foot about its heel or its ball to a yaw. */
@@ -115,9 +140,19 @@ export function look(w: Walker, target: [number, number, number] | null, delay =
 }
 
 /** A foot's place beside a line of walking. */
-function beside(w: Walker, centre: GroundPose, foot: Foot, half: number = STANCE.walkingHalf, toeOut: number = 0.1): GroundPose {
+function beside(
+  w: Walker,
+  centre: GroundPose,
+  foot: Foot,
+  half: number = STANCE.walkingHalf,
+  toeOut: number = 0.1,
+): GroundPose {
   const noise = 0.006 * w.random.normal();
-  return toWorld(centre, { x: sideOf(foot) * half * w.scale + noise, z: 0, yaw: sideOf(foot) * toeOut + 0.012 * w.random.normal() });
+  return toWorld(centre, {
+    x: sideOf(foot) * half * w.scale + noise,
+    z: 0,
+    yaw: sideOf(foot) * toeOut + 0.012 * w.random.normal(),
+  });
 }
 
 /**
@@ -163,7 +198,11 @@ export function walkTo(w: Walker, target: { x: number; z: number }, last: Foot |
   if (distance < 0.12 * w.scale) return;
   const length = (w.carrying ? 0.56 : 0.625) * w.scale;
   const course = bearing(from, target);
-  const firstFoot: Foot = w.lastFoot ? other(w.lastFoot) : wrapAngle(course - from.yaw) > 0.08 ? "left" : "right";
+  const firstFoot: Foot = w.lastFoot
+    ? other(w.lastFoot)
+    : wrapAngle(course - from.yaw) > 0.08
+      ? "left"
+      : "right";
   let n = Math.max(1, Math.round(distance / length + 0.25));
   if (last) {
     const ends = (k: number) => (k % 2 === 1 ? firstFoot : other(firstFoot));
@@ -174,7 +213,13 @@ export function walkTo(w: Walker, target: { x: number; z: number }, last: Foot |
     }
   }
   // A first step from standing is shorter, and so is the last.
-  const shares = Array.from({ length: n }, (_, i) => (i === 0 && w.lastFoot === null ? 0.85 : 1) * (i === n - 1 && n > 2 ? 0.92 : 1) * (1 + 0.012 * w.random.normal()));
+  const shares = Array.from(
+    { length: n },
+    (_, i) =>
+      (i === 0 && w.lastFoot === null ? 0.85 : 1) *
+      (i === n - 1 && n > 2 ? 0.92 : 1) *
+      (1 + 0.012 * w.random.normal()),
+  );
   const total = shares.reduce((a, b) => a + b, 0);
   let done = 0;
   let foot = firstFoot;
@@ -189,7 +234,13 @@ export function walkTo(w: Walker, target: { x: number; z: number }, last: Foot |
       yaw: heading,
     };
     const turn = Math.abs(wrapAngle(heading - w.feet[foot].yaw));
-    step(w, foot, turn > 30 * DEG ? "turnStep" : "walk", beside(w, centre, foot), i === 0 && w.lastFoot === null ? 1.08 : 1);
+    step(
+      w,
+      foot,
+      turn > 30 * DEG ? "turnStep" : "walk",
+      beside(w, centre, foot),
+      i === 0 && w.lastFoot === null ? 1.08 : 1,
+    );
     foot = other(foot);
   }
 }
@@ -247,10 +298,17 @@ export function turnIn(w: Walker, place: GroundPose, options: TurnInOptions): vo
     const m = middle(w);
     const f = 1 / (k + 0.4);
     const centre = { x: m.x + f * (place.x - m.x), z: m.z + f * (place.z - m.z), yaw };
-    step(w, foot, "turnStep", toWorld(centre, { x: sideOf(foot) * 0.105 * w.scale, z: 0, yaw: sideOf(foot) * 0.1 }));
+    step(
+      w,
+      foot,
+      "turnStep",
+      toWorld(centre, { x: sideOf(foot) * 0.105 * w.scale, z: 0, yaw: sideOf(foot) * 0.1 }),
+    );
     foot = other(foot);
   }
-  const late = options.pivots ? Math.min(34 * DEG, Math.max(16 * DEG, 0.34 * Math.abs(wrapAngle(place.yaw - yaw)))) : 0;
+  const late = options.pivots
+    ? Math.min(34 * DEG, Math.max(16 * DEG, 0.34 * Math.abs(wrapAngle(place.yaw - yaw))))
+    : 0;
   const sign = Math.sign(wrapAngle(place.yaw - yaw)) || Math.sign(turn);
   land(w, foot, stance[foot], options.both ? sign * late * 0.8 : 0, turns > 0 ? "turnStep" : "walk");
   land(w, other(foot), stance[other(foot)], options.pivots ? sign * late : 0, "turnStep");
@@ -279,7 +337,11 @@ export function sideStepTo(w: Walker, place: GroundPose, most = 0.44): void {
   const n = Math.max(1, Math.ceil(Math.abs(distance) / (most * w.scale) - 0.1));
   for (let k = 1; k <= n; k++) {
     const f = k / n;
-    const at: GroundPose = { x: from.x + f * (place.x - from.x), z: from.z + f * (place.z - from.z), yaw: wrapAngle(from.yaw + f * wrapAngle(place.yaw - from.yaw)) };
+    const at: GroundPose = {
+      x: from.x + f * (place.x - from.x),
+      z: from.z + f * (place.z - from.z),
+      yaw: wrapAngle(from.yaw + f * wrapAngle(place.yaw - from.yaw)),
+    };
     const pair = standingPair(at, w.scale);
     step(w, lead, "side", pair[lead]);
     step(w, other(lead), k === n ? "close" : "side", pair[other(lead)]);

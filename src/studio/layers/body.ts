@@ -4,7 +4,14 @@
  */
 import { CLIP_RATE } from "../../core/capture/clip.ts";
 import { wrapAngle } from "../../core/math/angle.ts";
-import { gaussian, minimumJerk, readPeriodic, smoothstep, unit, unwrap } from "../../core/math/interpolate.ts";
+import {
+  gaussian,
+  minimumJerk,
+  readPeriodic,
+  smoothstep,
+  unit,
+  unwrap,
+} from "../../core/math/interpolate.ts";
 import { createRandom } from "../../core/math/random.ts";
 import type { Skeleton } from "../../core/skeleton/skeleton.ts";
 import type { Score } from "../score.ts";
@@ -46,7 +53,13 @@ const WALKING_HEIGHT = [0.9515, 0.944, 0.9445, 0.952, 0.9615, 0.971, 0.9765, 0.9
 const STANDING_HEIGHT = 0.9945;
 
 /** The walk's own motion of the upper body over the feet. */
-export function renderBody(score: Score, feet: readonly [FootTrack, FootTrack], gait: Gait, skeleton: Skeleton, frames: number): BodyAngles {
+export function renderBody(
+  score: Score,
+  feet: readonly [FootTrack, FootTrack],
+  gait: Gait,
+  skeleton: Skeleton,
+  frames: number,
+): BodyAngles {
   const make = () => new Float64Array(frames);
   const arm = (): ArmAngles => ({ swing: make(), out: make(), turn: make(), elbow: make() });
   const b: BodyAngles = {
@@ -92,8 +105,13 @@ export function renderBody(score: Score, feet: readonly [FootTrack, FootTrack], 
     for (let side = 0; side < 2; side++) {
       const p = side === 0 ? w : w + Math.PI;
       const a = b.arms[side];
-      a.swing[f] = 1 * DEG + e * (-19 * DEG * Math.cos(p) + 1.8 * DEG * Math.cos(2 * p)) + (side === 0 ? e * 0.8 * DEG : 0);
-      a.elbow[f] = (1 - e) * 15 * DEG + e * (21 * DEG - 14 * DEG * Math.cos(p - 0.19) + 3.4 * DEG * Math.sin(2 * p - 0.9));
+      a.swing[f] =
+        1 * DEG +
+        e * (-19 * DEG * Math.cos(p) + 1.8 * DEG * Math.cos(2 * p)) +
+        (side === 0 ? e * 0.8 * DEG : 0);
+      a.elbow[f] =
+        (1 - e) * 15 * DEG +
+        e * (21 * DEG - 14 * DEG * Math.cos(p - 0.19) + 3.4 * DEG * Math.sin(2 * p - 0.9));
       a.out[f] = 9 * DEG + e * (2 * DEG - 3 * DEG * Math.cos(p));
       a.turn[f] = 25 * DEG - e * 10 * DEG * Math.cos(p);
     }
@@ -109,7 +127,12 @@ export function renderBody(score: Score, feet: readonly [FootTrack, FootTrack], 
 }
 
 /** Where the head points: the gaze's targets, else the way ahead, about 0.25 s before the body. */
-function gazeYaw(score: Score, feet: readonly [FootTrack, FootTrack], facing: Float64Array, frames: number): Float64Array {
+function gazeYaw(
+  score: Score,
+  feet: readonly [FootTrack, FootTrack],
+  facing: Float64Array,
+  frames: number,
+): Float64Array {
   const out = new Float64Array(frames);
   const keys = score.gaze;
   for (let f = 0; f < frames; f++) {
@@ -135,13 +158,20 @@ function gazeYaw(score: Score, feet: readonly [FootTrack, FootTrack], facing: Fl
 }
 
 /** Steps outside a rhythm: the swing side drops a little, the trunk leans against it, the arms float out. */
-function singleSteps(b: BodyAngles, feet: readonly [FootTrack, FootTrack], gait: Gait, skeleton: Skeleton, frames: number): void {
+function singleSteps(
+  b: BodyAngles,
+  feet: readonly [FootTrack, FootTrack],
+  gait: Gait,
+  skeleton: Skeleton,
+  frames: number,
+): void {
   const lift = new Float64Array(2 * frames);
   for (let side = 0; side < 2; side++) {
     const t = feet[side];
     for (let f = 0; f < frames; f++) {
       const u = t.swing[f];
-      if (u > 0 && !t.turning[f]) lift[2 * f + side] = (1 - Math.min(1, gait.amount[f] * 1.4)) * Math.sin(Math.PI * u) ** 2;
+      if (u > 0 && !t.turning[f])
+        lift[2 * f + side] = (1 - Math.min(1, gait.amount[f] * 1.4)) * Math.sin(Math.PI * u) ** 2;
     }
   }
   gaussian(lift, 2, 3.5);
@@ -192,7 +222,8 @@ function alive(b: BodyAngles, score: Score, gait: Gait, frames: number): void {
   }
   // Breathing, 0.25 Hz.
   const start = random.between(0, 2 * Math.PI);
-  for (let f = 0; f < frames; f++) b.chestPitch[f] -= 0.35 * DEG * Math.sin(start + (2 * Math.PI * 0.25 * f) / CLIP_RATE);
+  for (let f = 0; f < frames; f++)
+    b.chestPitch[f] -= 0.35 * DEG * Math.sin(start + (2 * Math.PI * 0.25 * f) / CLIP_RATE);
   const strikes = score.steps.filter((s) => s.kind === "walk" || s.kind === "turnStep").map((s) => s.land);
   for (const time of strikes) {
     for (let k = 0; k < 24; k++) {

@@ -78,7 +78,13 @@ export interface Load {
  * Zero-moment point of the whole body, x, z a frame, from the joints' places (frames x joints x 3), with the load.
  * Also writes the centre of mass (x, y, z a frame) to `centre`.
  */
-export function zeroMomentPoint(positions: Float64Array, joints: number, frames: number, centre: Float64Array, load: Load | null): Float64Array {
+export function zeroMomentPoint(
+  positions: Float64Array,
+  joints: number,
+  frames: number,
+  centre: Float64Array,
+  load: Load | null,
+): Float64Array {
   const count = MASSES.length + (load ? 1 : 0);
   const at = new Float64Array(count * 3 * frames);
   for (let f = 0; f < frames; f++) {

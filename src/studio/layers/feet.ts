@@ -7,10 +7,17 @@
  */
 import { CLIP_RATE } from "../../core/capture/clip.ts";
 import { wrapAngle } from "../../core/math/angle.ts";
-import { gaussian, minimumJerk, readKeys, readMonotone, smoothstep, unit } from "../../core/math/interpolate.ts";
+import {
+  gaussian,
+  minimumJerk,
+  readKeys,
+  readMonotone,
+  smoothstep,
+  unit,
+} from "../../core/math/interpolate.ts";
 import { contactsOfPitch, pivotPlace, plantedAnkle } from "../../core/motion/sole.ts";
-import type { Foot } from "../../core/steps/types.ts";
 import type { FootShape, Skeleton } from "../../core/skeleton/skeleton.ts";
+import type { Foot } from "../../core/steps/types.ts";
 import type { Score, ScoreStance, ScoreStep } from "../score.ts";
 
 const DEG = Math.PI / 180;
@@ -64,13 +71,17 @@ function movesOf(score: Score, foot: Foot, leg: number): Move[] {
       // A full walking step carries the foot 1.3 leg lengths; shorter and turning ones roll less.
       const size = unit(reach / 1.2);
       // Backwards the foot neither pushes off behind nor strikes with the heel.
-      const ahead = Math.cos(wrapAngle(Math.atan2(s.x - from.x, s.z - from.z) - from.yaw - wrapAngle(s.yaw - from.yaw) / 2));
+      const ahead = Math.cos(
+        wrapAngle(Math.atan2(s.x - from.x, s.z - from.z) - from.yaw - wrapAngle(s.yaw - from.yaw) / 2),
+      );
       const forwardness = reach < 0.05 ? 0 : smoothstep((ahead + 0.2) / 0.9);
       const move: Move = {
         ...s,
         from,
         reach,
-        push: isWalk(s) ? (0.3 + 0.7 * size) * (0.35 + 0.65 * forwardness) * (1 - 0.25 * unit(turn / 1.2)) : 0.28 + 0.25 * unit(reach / 0.6),
+        push: isWalk(s)
+          ? (0.3 + 0.7 * size) * (0.35 + 0.65 * forwardness) * (1 - 0.25 * unit(turn / 1.2))
+          : 0.28 + 0.25 * unit(reach / 0.6),
         strike: isWalk(s) ? (0.1 + 0.9 * size * size) * forwardness * (1 - 0.6 * unit(turn / 1.2)) : 0,
       };
       from = { x: s.x, z: s.z, yaw: s.yaw };
@@ -80,9 +91,23 @@ function movesOf(score: Score, foot: Foot, leg: number): Move[] {
 
 /** Pitch of the foot at lift-off and at landing of a move. */
 const liftPitch = (m: Move): number =>
-  isWalk(m) ? PUSH * m.push : m.kind === "slide" ? 0 : m.kind === "heelPivot" ? 9 * DEG : m.kind === "toePivot" ? -9 * DEG : -40 * DEG * m.push;
+  isWalk(m)
+    ? PUSH * m.push
+    : m.kind === "slide"
+      ? 0
+      : m.kind === "heelPivot"
+        ? 9 * DEG
+        : m.kind === "toePivot"
+          ? -9 * DEG
+          : -40 * DEG * m.push;
 const landPitch = (m: Move): number =>
-  isWalk(m) ? STRIKE * m.strike + (m.strike < 0.12 ? -5 * DEG * (1 - m.strike / 0.12) : 0) : m.kind === "slide" ? 0 : isPivot(m) ? liftPitch(m) : -7 * DEG;
+  isWalk(m)
+    ? STRIKE * m.strike + (m.strike < 0.12 ? -5 * DEG * (1 - m.strike / 0.12) : 0)
+    : m.kind === "slide"
+      ? 0
+      : isPivot(m)
+        ? liftPitch(m)
+        : -7 * DEG;
 
 /** Renders one foot. */
 export function renderFoot(score: Score, foot: Foot, skeleton: Skeleton, frames: number): FootTrack {
@@ -124,7 +149,11 @@ export function renderFoot(score: Score, foot: Foot, skeleton: Skeleton, frames:
       track.turning[f] = 1;
     } else if (m.kind === "slide") {
       const s = minimumJerk(u);
-      const on = { x: m.from.x + s * (m.x - m.from.x), z: m.from.z + s * (m.z - m.from.z), yaw: m.from.yaw + s * wrapAngle(m.yaw - m.from.yaw) };
+      const on = {
+        x: m.from.x + s * (m.x - m.from.x),
+        z: m.from.z + s * (m.z - m.from.z),
+        yaw: m.from.yaw + s * wrapAngle(m.yaw - m.from.yaw),
+      };
       down(track, f, shape, on, 0, out);
       track.turning[f] = 1;
     }
@@ -133,7 +162,14 @@ export function renderFoot(score: Score, foot: Foot, skeleton: Skeleton, frames:
   return track;
 }
 
-function down(track: FootTrack, f: number, shape: FootShape, on: ScoreStance, pitch: number, out: Float64Array): void {
+function down(
+  track: FootTrack,
+  f: number,
+  shape: FootShape,
+  on: ScoreStance,
+  pitch: number,
+  out: Float64Array,
+): void {
   plantedAnkle(out, shape, pitch);
   track.ankle[3 * f] = on.x + Math.sin(on.yaw) * out[0];
   track.ankle[3 * f + 1] = out[1];
@@ -152,7 +188,9 @@ function stancePitch(pitch: Float64Array, moves: readonly Move[], frames: number
     const lift = m ? m.lift : Number.POSITIVE_INFINITY;
     const last = m ? Math.min(frames - 1, Math.ceil(lift * CLIP_RATE) - 1) : frames - 1;
     const room = lift - landed;
-    const flatAfter = before ? Math.min(isPivot(before) ? 0.13 : isWalk(before) ? 0.068 : 0.08, 0.35 * room) : 0;
+    const flatAfter = before
+      ? Math.min(isPivot(before) ? 0.13 : isWalk(before) ? 0.068 : 0.08, 0.35 * room)
+      : 0;
     const cycle = m && !isPivot(m) ? (m.land - m.lift) / 0.36 : 1;
     const rise = m ? Math.min(isPivot(m) ? 0.14 : isWalk(m) ? 0.24 * cycle : 0.24, 0.6 * room) : 0;
     for (let f = Math.max(0, Math.ceil(landed * CLIP_RATE - 1e-6)); f <= last; f++) {
@@ -169,9 +207,15 @@ function stancePitch(pitch: Float64Array, moves: readonly Move[], frames: number
       pitch[f] = p;
     }
     if (!m) break;
-    for (let f = Math.max(0, Math.ceil(lift * CLIP_RATE - 1e-6)); f < Math.min(frames, m.land * CLIP_RATE - 1e-6); f++) {
+    for (
+      let f = Math.max(0, Math.ceil(lift * CLIP_RATE - 1e-6));
+      f < Math.min(frames, m.land * CLIP_RATE - 1e-6);
+      f++
+    ) {
       const u = (f / CLIP_RATE - lift) / (m.land - lift);
-      pitch[f] = isPivot(m) ? liftPitch(m) : liftPitch(m) * readKeys(PUSH_OVER_SWING, u) + landPitch(m) * readKeys(STRIKE_OVER_SWING, u);
+      pitch[f] = isPivot(m)
+        ? liftPitch(m)
+        : liftPitch(m) * readKeys(PUSH_OVER_SWING, u) + landPitch(m) * readKeys(STRIKE_OVER_SWING, u);
     }
     landed = m.land;
     before = m;
@@ -196,7 +240,9 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, _moves: readonly M
     plantedAnkle(out, shape, pitch);
     return [on.x + Math.sin(on.yaw) * out[0], out[1], on.z + Math.cos(on.yaw) * out[0]];
   };
-  const pitch0 = track.pitch[Math.max(0, first - 1)] + (track.pitch[first] - track.pitch[Math.max(0, first - 1)]) * (m.lift * CLIP_RATE - (first - 1));
+  const pitch0 =
+    track.pitch[Math.max(0, first - 1)] +
+    (track.pitch[first] - track.pitch[Math.max(0, first - 1)]) * (m.lift * CLIP_RATE - (first - 1));
   const speed0 = (track.pitch[Math.max(0, first - 1)] - track.pitch[Math.max(0, first - 2)]) * CLIP_RATE;
   const after = Math.min(frames - 1, last + 1);
   const pitch1 = track.pitch[after];
@@ -206,7 +252,9 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, _moves: readonly M
   const v0 = p0.map((v, i) => (v - p0b[i]) / 0.002);
   const walk = isWalk(m);
   const forward = [Math.sin(m.yaw), 0, Math.cos(m.yaw)];
-  const v1 = walk ? [0.25 * forward[0] * m.strike, -0.2 * scale, 0.25 * forward[2] * m.strike] : [0, -0.12 * scale, 0];
+  const v1 = walk
+    ? [0.25 * forward[0] * m.strike, -0.2 * scale, 0.25 * forward[2] * m.strike]
+    : [0, -0.12 * scale, 0];
   const size = walk ? 0.35 + 0.65 * unit(m.reach / 1.13) : 0;
   const hump = walk ? 0.02 * (1 - size) : m.kind === "close" || m.kind === "side" ? 0.05 : 0.045;
   const turn = wrapAngle(m.yaw - m.from.yaw);
@@ -232,7 +280,8 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, _moves: readonly M
     const k0 = d * u * (1 - u) ** 6;
     const k1 = d * (1 - u) * u ** 4;
     for (let c = 0; c < 3; c++) {
-      path[3 * i + c] = p0[c] + s * (p1[c] - p0[c]) + (c === 1 ? rise : 0) + (v0[c] - r0[c]) * k0 - (v1[c] - r1[c]) * k1;
+      path[3 * i + c] =
+        p0[c] + s * (p1[c] - p0[c]) + (c === 1 ? rise : 0) + (v0[c] - r0[c]) * k0 - (v1[c] - r1[c]) * k1;
     }
     track.yaw[f] = m.from.yaw + turn * (walk ? smoothstep((u - 0.05) / 0.9) : minimumJerk(u));
     // Clearance of heel, ball and tip.
@@ -249,7 +298,8 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, _moves: readonly M
     if (u > 0.06) path[3 * i + 1] = Math.max(path[3 * i + 1], floor);
     track.ankle.set([path[3 * i], path[3 * i + 1], path[3 * i + 2]], 3 * f);
     plantedAnkle(out, shape, pitch0);
-    const bend = out[2] * Math.exp(-(u * d) / 0.05) + 4 * DEG * smoothstep((u - 0.6) / 0.4) * (walk ? m.strike : 0);
+    const bend =
+      out[2] * Math.exp(-(u * d) / 0.05) + 4 * DEG * smoothstep((u - 0.6) / 0.4) * (walk ? m.strike : 0);
     track.toeBend[f] = boundedBend(shape, path[3 * i + 1], track.pitch[f], bend);
     track.contacts[f] = 0;
   }
@@ -271,7 +321,8 @@ function boundedBend(shape: FootShape, ankle: number, pitch: number, bend: numbe
   const s = Math.sin(pitch);
   const c = Math.cos(pitch);
   const ball = ankle + shape.ballForward * s - (shape.ankleHeight - shape.ballHeight) * c;
-  const tip = (b: number) => ball + shape.tipForward * Math.sin(pitch + b) - shape.ballHeight * Math.cos(pitch + b);
+  const tip = (b: number) =>
+    ball + shape.tipForward * Math.sin(pitch + b) - shape.ballHeight * Math.cos(pitch + b);
   let b = bend;
   for (let k = 0; k < 12 && tip(b) < 0.003; k++) b += 5 * DEG;
   return Math.min(b, 65 * DEG);

@@ -4,8 +4,8 @@
  * Trunk, pelvis and arms are short harmonic series of this phase; standing and single steps have no rhythm.
  */
 import { CLIP_RATE } from "../../core/capture/clip.ts";
-import { smoothstep, unit } from "../../core/math/interpolate.ts";
 import { wrapAngle } from "../../core/math/angle.ts";
+import { smoothstep, unit } from "../../core/math/interpolate.ts";
 import type { Score, ScoreStep } from "../score.ts";
 
 export interface Gait {
@@ -28,7 +28,9 @@ const LONGEST = 0.95;
 export function renderGait(score: Score, leg: number, frames: number): Gait {
   const phase = new Float64Array(frames);
   const amount = new Float64Array(frames);
-  const walks = score.steps.filter((s) => s.kind === "walk" || s.kind === "turnStep").sort((a, b) => a.land - b.land);
+  const walks = score.steps
+    .filter((s) => s.kind === "walk" || s.kind === "turnStep")
+    .sort((a, b) => a.land - b.land);
   const groups: ScoreStep[][] = [];
   for (const s of walks) {
     const group = groups[groups.length - 1];
@@ -36,7 +38,10 @@ export function renderGait(score: Score, leg: number, frames: number): Gait {
     if (last && last.foot !== s.foot && s.land - last.land < LONGEST) group.push(s);
     else groups.push([s]);
   }
-  const place: Record<"left" | "right", { x: number; z: number; yaw: number }> = { left: score.start.left, right: score.start.right };
+  const place: Record<"left" | "right", { x: number; z: number; yaw: number }> = {
+    left: score.start.left,
+    right: score.start.right,
+  };
   const sizes = new Map<ScoreStep, number>();
   for (const s of [...score.steps].sort((a, b) => a.land - b.land)) {
     const from = place[s.foot];
@@ -47,9 +52,14 @@ export function renderGait(score: Score, leg: number, frames: number): Gait {
     place[s.foot] = s;
   }
   for (const group of groups) {
-    const step = group.length > 1 ? (group[group.length - 1].land - group[0].land) / (group.length - 1) : 0.58;
+    const step =
+      group.length > 1 ? (group[group.length - 1].land - group[0].land) / (group.length - 1) : 0.58;
     const start = group[0].foot === "left" ? 0 : Math.PI;
-    const beats: Beat[] = group.map((s, i) => ({ time: s.land, phase: start + Math.PI * i, size: sizes.get(s) ?? 0 }));
+    const beats: Beat[] = group.map((s, i) => ({
+      time: s.land,
+      phase: start + Math.PI * i,
+      size: sizes.get(s) ?? 0,
+    }));
     const first = beats[0];
     const last = beats[beats.length - 1];
     // The phase runs on before and after, so that arms do not freeze while the amount fades.

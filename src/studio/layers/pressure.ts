@@ -30,7 +30,12 @@ const OUTWARD = 0.012;
 const PIVOT_SHARE = 0.8;
 
 /** The plan of pressure over the frames of a score. */
-export function planPressure(score: Score, feet: readonly [FootTrack, FootTrack], skeleton: Skeleton, frames: number): Pressure {
+export function planPressure(
+  score: Score,
+  feet: readonly [FootTrack, FootTrack],
+  skeleton: Skeleton,
+  frames: number,
+): Pressure {
   const left = shares(score, frames);
   const point = new Float64Array(2 * frames);
   const scale = skeleton.foot.ballForward / 0.125;
@@ -81,7 +86,8 @@ function footProgress(score: Score, foot: "left" | "right", frames: number): Flo
     }
     times.push(to);
     values.push(push ? TOE_OFF : STANDING);
-    for (let f = Math.max(0, Math.ceil(from * CLIP_RATE)); f < Math.min(frames, to * CLIP_RATE); f++) out[f] = readMonotone(times, values, f / CLIP_RATE);
+    for (let f = Math.max(0, Math.ceil(from * CLIP_RATE)); f < Math.min(frames, to * CLIP_RATE); f++)
+      out[f] = readMonotone(times, values, f / CLIP_RATE);
   }
   return out;
 }

@@ -52,7 +52,13 @@ export function createTaskLayer(frames: number): TaskLayer {
 }
 
 /** Bends the body for the score's tasks and lays the hands' targets that do not depend on the body. Mutates both. */
-export function renderTasks(score: Score, body: BodyAngles, layer: TaskLayer, skeleton: Skeleton, frames: number): void {
+export function renderTasks(
+  score: Score,
+  body: BodyAngles,
+  layer: TaskLayer,
+  skeleton: Skeleton,
+  frames: number,
+): void {
   let lift: LiftEvent | null = null;
   for (const event of score.events) {
     if (event.type === "write") write(event, body, layer, skeleton, frames);
@@ -75,7 +81,13 @@ export function renderTasks(score: Score, body: BodyAngles, layer: TaskLayer, sk
 const REACH = 0.75;
 const RETURN = 0.65;
 
-function write(event: WriteEvent, body: BodyAngles, layer: TaskLayer, skeleton: Skeleton, frames: number): void {
+function write(
+  event: WriteEvent,
+  body: BodyAngles,
+  layer: TaskLayer,
+  skeleton: Skeleton,
+  frames: number,
+): void {
   const { task, strokes } = event;
   const side = task.hand === "left" ? 0 : 1;
   const s = Math.sin(task.yaw);
@@ -86,7 +98,11 @@ function write(event: WriteEvent, body: BodyAngles, layer: TaskLayer, skeleton: 
   const scale = skeleton.height / 1.75;
   // Looking and leaning a little towards what is written.
   const high = (task.position[1] - 1.38 * scale) / scale;
-  for (let f = Math.max(0, Math.floor(from * CLIP_RATE)); f < Math.min(frames, (end + RETURN) * CLIP_RATE); f++) {
+  for (
+    let f = Math.max(0, Math.floor(from * CLIP_RATE));
+    f < Math.min(frames, (end + RETURN) * CLIP_RATE);
+    f++
+  ) {
     const t = f / CLIP_RATE;
     const w = pulse(t, from, task.contact, end, end + RETURN);
     layer.hands.weight[side][f] = w;
@@ -117,7 +133,11 @@ function penAt(strokes: WriteEvent["strokes"], t: number): [number, number, numb
       const a = before.points[before.points.length - 1];
       const t0 = before.times[before.times.length - 1];
       const u = minimumJerk((t - t0) / (times[0] - t0));
-      return [a[0] + u * (points[0][0] - a[0]), a[1] + u * (points[0][1] - a[1]), 0.03 * Math.sin(Math.PI * u) ** 2];
+      return [
+        a[0] + u * (points[0][0] - a[0]),
+        a[1] + u * (points[0][1] - a[1]),
+        0.03 * Math.sin(Math.PI * u) ** 2,
+      ];
     }
     const n = times.length - 1;
     if (t <= times[n]) {
@@ -125,7 +145,11 @@ function penAt(strokes: WriteEvent["strokes"], t: number): [number, number, numb
       while (i < n - 1 && times[i + 1] < t) i++;
       const u = n > 0 ? unit((t - times[i]) / Math.max(1e-6, times[i + 1] - times[i])) : 0;
       const j = Math.min(n, i + 1);
-      return [points[i][0] + u * (points[j][0] - points[i][0]), points[i][1] + u * (points[j][1] - points[i][1]), 0];
+      return [
+        points[i][0] + u * (points[j][0] - points[i][0]),
+        points[i][1] + u * (points[j][1] - points[i][1]),
+        0,
+      ];
     }
   }
   const end = strokes[strokes.length - 1];
@@ -140,7 +164,11 @@ function bend(event: LiftEvent | PlaceEvent, body: BodyAngles, skeleton: Skeleto
   const scale = skeleton.height / 1.75;
   const need = unit((0.98 * scale - task.position[1]) / (0.6 * scale));
   const lifting = event.type === "lift";
-  for (let f = Math.max(0, Math.floor(task.start * CLIP_RATE)); f < Math.min(frames, (task.end + 0.1) * CLIP_RATE); f++) {
+  for (
+    let f = Math.max(0, Math.floor(task.start * CLIP_RATE));
+    f < Math.min(frames, (task.end + 0.1) * CLIP_RATE);
+    f++
+  ) {
     const t = f / CLIP_RATE;
     // Legs move first going up, the trunk follows by 0.12 s.
     const legs = pulse(t, task.start, task.contact, task.contact + (lifting ? 0.05 : 0.1), task.end);
@@ -156,13 +184,23 @@ function bend(event: LiftEvent | PlaceEvent, body: BodyAngles, skeleton: Skeleto
 const PALM_GAP = 0.01;
 
 /** The box from its grasp to where it is put down (or the end): held before the belly while it is carried. */
-function holdBox(lift: LiftEvent, place: PlaceEvent | null, body: BodyAngles, layer: TaskLayer, frames: number): void {
+function holdBox(
+  lift: LiftEvent,
+  place: PlaceEvent | null,
+  body: BodyAngles,
+  layer: TaskLayer,
+  frames: number,
+): void {
   const a = lift.task;
   const b = place?.task ?? null;
   const end = b ? b.contact : frames / CLIP_RATE;
   const over = b ? b.end : end;
   const share = lift.mass / BODY_MASS;
-  for (let f = Math.max(0, Math.floor(a.start * CLIP_RATE)); f < Math.min(frames, (over + 0.2) * CLIP_RATE); f++) {
+  for (
+    let f = Math.max(0, Math.floor(a.start * CLIP_RATE));
+    f < Math.min(frames, (over + 0.2) * CLIP_RATE);
+    f++
+  ) {
     const t = f / CLIP_RATE;
     const reach = minimumJerk((t - a.start) / (a.contact - a.start));
     const release = b ? 1 - minimumJerk((t - b.contact - 0.06) / Math.max(0.3, b.end - b.contact)) : 1;
@@ -170,7 +208,8 @@ function holdBox(lift: LiftEvent, place: PlaceEvent | null, body: BodyAngles, la
     for (let side = 0; side < 2; side++) layer.hands.weight[side][f] = w;
     const held = t >= a.contact && t <= end ? 1 : 0;
     layer.held[f] = held;
-    layer.load.share[f] = held * share * Math.min(smoothstep((t - a.contact) / 0.25), b ? smoothstep((end - t) / 0.25) : 1);
+    layer.load.share[f] =
+      held * share * Math.min(smoothstep((t - a.contact) / 0.25), b ? smoothstep((end - t) / 0.25) : 1);
     // Share of the body's own carrying place: 0 at the table, 1 in the walk.
     const up = minimumJerk((t - a.contact - 0.05) / Math.max(0.4, a.end - a.contact));
     const down = b ? 1 - minimumJerk((t - b.start) / Math.max(0.4, b.contact - b.start)) : 1;
@@ -203,7 +242,11 @@ export function handsOnBox(layer: TaskLayer, frames: number): void {
       const open = (1 - layer.hands.weight[side][f]) * 0.05 + half;
       const sign = side === 0 ? 1 : -1;
       layer.hands.place[side].set(
-        [layer.box[3 * f] + sign * c * open, layer.box[3 * f + 1] - 0.02 * (1 - layer.hands.weight[side][f]), layer.box[3 * f + 2] - sign * s * open],
+        [
+          layer.box[3 * f] + sign * c * open,
+          layer.box[3 * f + 1] - 0.02 * (1 - layer.hands.weight[side][f]),
+          layer.box[3 * f + 2] - sign * s * open,
+        ],
         3 * f,
       );
       // Fingers forward and a little down.
@@ -224,7 +267,11 @@ function sit(event: SitEvent, body: BodyAngles, layer: TaskLayer, skeleton: Skel
   const rise = event.rise ?? Number.POSITIVE_INFINITY;
   const off = event.rise === null ? Number.POSITIVE_INFINITY : task.end;
   const up = off + RISE;
-  for (let f = Math.max(0, Math.floor(task.start * CLIP_RATE)); f < Math.min(frames, up * CLIP_RATE + 1); f++) {
+  for (
+    let f = Math.max(0, Math.floor(task.start * CLIP_RATE));
+    f < Math.min(frames, up * CLIP_RATE + 1);
+    f++
+  ) {
     const t = f / CLIP_RATE;
     const downU = smoothstep((t - task.start) / (task.contact - task.start)) ** 1.1;
     const riseU = off === Number.POSITIVE_INFINITY ? 0 : smoothstep((t - off) / RISE);

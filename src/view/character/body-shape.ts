@@ -77,14 +77,25 @@ export interface Field {
 export function bodyFields(skeleton: Skeleton, fineness = 1): Field[] {
   const p = restPlaces(skeleton);
   const s = skeleton.height / 1.75;
-  const at = (j: number, dx = 0, dy = 0, dz = 0): V3 => [p[3 * j] + dx * s, p[3 * j + 1] + dy * s, p[3 * j + 2] + dz * s];
+  const at = (j: number, dx = 0, dy = 0, dz = 0): V3 => [
+    p[3 * j] + dx * s,
+    p[3 * j + 1] + dy * s,
+    p[3 * j + 2] + dz * s,
+  ];
   const r = (v: number) => v * s;
   const body = torso(at, r);
   const fields: Field[] = [
-    { distance: body, low: [-0.8 * s, p[3 * J.leftFoot + 1] - 0.02 * s, -0.2 * s], high: [0.8 * s, 1.8 * s, 0.22 * s], cell: 0.012 * fineness, part: () => "body" },
+    {
+      distance: body,
+      low: [-0.8 * s, p[3 * J.leftFoot + 1] - 0.02 * s, -0.2 * s],
+      high: [0.8 * s, 1.8 * s, 0.22 * s],
+      cell: 0.012 * fineness,
+      part: () => "body",
+    },
     head(at, r, s, fineness),
   ];
-  for (const side of [1, -1] as const) fields.push(hand(at, r, s, side, fineness), ...shoe(at, skeleton, side, fineness));
+  for (const side of [1, -1] as const)
+    fields.push(hand(at, r, s, side, fineness), ...shoe(at, skeleton, side, fineness));
   return fields;
 }
 
@@ -97,7 +108,12 @@ function torso(at: At, r: (v: number) => number): (x: number, y: number, z: numb
   const upper = at(J.upperChest, 0, 0.055, 0.0);
   const neckLow = at(J.neck, 0, -0.045, -0.006);
   const neckHigh = at(J.head, 0, 0.03, 0.004);
-  const pairs = [J.leftUpperArm, J.rightUpperArm].map((j) => ({ shoulder: at(j), elbow: at(j + 1), wrist: at(j + 2), collar: at(J.upperChest, 0, 0.115, -0.006) }));
+  const pairs = [J.leftUpperArm, J.rightUpperArm].map((j) => ({
+    shoulder: at(j),
+    elbow: at(j + 1),
+    wrist: at(j + 2),
+    collar: at(J.upperChest, 0, 0.115, -0.006),
+  }));
   const legs = [J.leftUpperLeg, J.rightUpperLeg].map((j, i) => ({
     hip: at(j, i === 0 ? -0.004 : 0.004, -0.01, 0),
     knee: at(j + 1, 0, 0, 0.004),
@@ -153,7 +169,8 @@ function head(at: At, r: (v: number) => number, s: number, fineness: number): Fi
     low: [skull[0] - 0.12 * s, skull[1] - 0.15 * s, skull[2] - 0.13 * s],
     high: [skull[0] + 0.12 * s, skull[1] + 0.13 * s, skull[2] + 0.16 * s],
     cell: 0.0065 * fineness,
-    part: (_x, y, z) => ((z - c[2]) * Math.cos(lean) - (y - c[1]) * Math.sin(lean) > 0.004 * s ? "ivory" : "body"),
+    part: (_x, y, z) =>
+      (z - c[2]) * Math.cos(lean) - (y - c[1]) * Math.sin(lean) > 0.004 * s ? "ivory" : "body",
   };
 }
 
@@ -165,7 +182,11 @@ function hand(at: At, r: (v: number) => number, s: number, side: 1 | -1, finenes
   // Four fingers, a little curled; the thumb apart, towards the front.
   const fingers = [0.03, 0.01, -0.011, -0.03].map((z, i) => {
     const l = [0.062, 0.07, 0.066, 0.052][i];
-    return { a: m(0.085, -0.002, z), b: m(0.085 + l * 0.55, -0.014, z * 1.05), c: m(0.085 + l * 0.86, -0.038, z * 1.02) };
+    return {
+      a: m(0.085, -0.002, z),
+      b: m(0.085 + l * 0.55, -0.014, z * 1.05),
+      c: m(0.085 + l * 0.86, -0.038, z * 1.02),
+    };
   });
   const thumb = { a: m(0.03, -0.004, 0.03), b: m(0.062, -0.012, 0.052), c: m(0.088, -0.022, 0.056) };
   const distance = (x: number, y: number, z: number) => {
@@ -203,15 +224,30 @@ function shoe(at: At, skeleton: Skeleton, side: 1 | -1, fineness: number): Field
   const heelField = (x: number, y: number, z: number) => {
     let d = roundCone(x, y, z, m(0, 0.034, -0.02), m(side * 0.004, 0.032, 0.1), 0.038 * k, 0.045 * k);
     d = blend(d, roundCone(x, y, z, m(0, 0.105, -0.006), m(0, 0.06, 0.0), 0.04 * k, 0.042 * k), 0.03 * k);
-    d = blend(d, roundCone(x, y, z, m(0, 0.075, 0.02), m(side * 0.003, 0.04, 0.1), 0.034 * k, 0.032 * k), 0.03 * k);
+    d = blend(
+      d,
+      roundCone(x, y, z, m(0, 0.075, 0.02), m(side * 0.003, 0.04, 0.1), 0.034 * k, 0.032 * k),
+      0.03 * k,
+    );
     return Math.max(flat(d, y), z - groove);
   };
   const toeField = (x: number, y: number, z: number) => {
-    let d = roundCone(x, y, z, m(side * 0.004, 0.03, 0.112), m(side * 0.0, 0.024, 0.165), 0.046 * k, 0.034 * k);
+    let d = roundCone(
+      x,
+      y,
+      z,
+      m(side * 0.004, 0.03, 0.112),
+      m(side * 0.0, 0.024, 0.165),
+      0.046 * k,
+      0.034 * k,
+    );
     d = blend(d, ellipsoid(x, y, z, m(0, 0.026, 0.14), [0.048 * k, 0.034 * k, 0.058 * k]), 0.02 * k);
     return Math.max(flat(d, y), groove + 0.0035 * k - z);
   };
-  const box = (z0: number, z1: number): { low: V3; high: V3 } => ({ low: m(-0.08, -0.02, z0), high: m(0.08, 0.17, z1) });
+  const box = (z0: number, z1: number): { low: V3; high: V3 } => ({
+    low: m(-0.08, -0.02, z0),
+    high: m(0.08, 0.17, z1),
+  });
   const name = side === 1 ? "left" : "right";
   return [
     { distance: heelField, ...box(-0.09, 0.15), cell: 0.0065 * fineness, part: () => `${name}Heel` as Part },

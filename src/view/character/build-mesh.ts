@@ -31,7 +31,16 @@ interface Raw {
  */
 export function buildCharacterMesh(skeleton: Skeleton, fineness = 1): CharacterMesh {
   const raw: Raw = { positions: [], normals: [], triangles: PARTS.map(() => []), only: [] };
-  const bones: (number | null)[] = [null, J.head, J.leftHand, J.leftFoot, J.leftToes, J.rightHand, J.rightFoot, J.rightToes];
+  const bones: (number | null)[] = [
+    null,
+    J.head,
+    J.leftHand,
+    J.leftFoot,
+    J.leftToes,
+    J.rightHand,
+    J.rightFoot,
+    J.rightToes,
+  ];
   bodyFields(skeleton, fineness).forEach((field, i) => {
     surfaceNets(raw, field, bones[i]);
   });
@@ -45,7 +54,14 @@ export function buildCharacterMesh(skeleton: Skeleton, fineness = 1): CharacterM
   const skinIndices = new Uint16Array(4 * count);
   const skinWeights = new Float32Array(4 * count);
   skin(raw, skeleton, skinIndices, skinWeights);
-  return { positions: Float32Array.from(raw.positions), normals: Float32Array.from(raw.normals), indices: Uint32Array.from(indices), groups, skinIndices, skinWeights };
+  return {
+    positions: Float32Array.from(raw.positions),
+    normals: Float32Array.from(raw.normals),
+    indices: Uint32Array.from(indices),
+    groups,
+    skinIndices,
+    skinWeights,
+  };
 }
 
 /** Naive surface nets [Gibson 1998]: one vertex a cell that the surface crosses, a quad an edge. Far blocks are skipped. */
@@ -58,15 +74,27 @@ function surfaceNets(raw: Raw, field: Field, only: number | null): void {
   for (let bz = 0; bz < nz; bz += B) {
     for (let by = 0; by < ny; by += B) {
       for (let bx = 0; bx < nx; bx += B) {
-        const c = field.distance(low[0] + (bx + B / 2) * cell, low[1] + (by + B / 2) * cell, low[2] + (bz + B / 2) * cell);
+        const c = field.distance(
+          low[0] + (bx + B / 2) * cell,
+          low[1] + (by + B / 2) * cell,
+          low[2] + (bz + B / 2) * cell,
+        );
         // Smooth unions bend distances a little: keep a margin.
         if (Math.abs(c) > B * cell * 1.25) {
-          if (c < 0) for (let z = bz; z < Math.min(nz, bz + B); z++) for (let y = by; y < Math.min(ny, by + B); y++) value.fill(-1, (z * ny + y) * nx + bx, (z * ny + y) * nx + Math.min(nx, bx + B));
+          if (c < 0)
+            for (let z = bz; z < Math.min(nz, bz + B); z++)
+              for (let y = by; y < Math.min(ny, by + B); y++)
+                value.fill(-1, (z * ny + y) * nx + bx, (z * ny + y) * nx + Math.min(nx, bx + B));
           continue;
         }
         for (let z = bz; z < Math.min(nz, bz + B); z++)
           for (let y = by; y < Math.min(ny, by + B); y++)
-            for (let x = bx; x < Math.min(nx, bx + B); x++) value[(z * ny + y) * nx + x] = field.distance(low[0] + x * cell, low[1] + y * cell, low[2] + z * cell);
+            for (let x = bx; x < Math.min(nx, bx + B); x++)
+              value[(z * ny + y) * nx + x] = field.distance(
+                low[0] + x * cell,
+                low[1] + y * cell,
+                low[2] + z * cell,
+              );
       }
     }
   }
@@ -111,7 +139,16 @@ function surfaceNets(raw: Raw, field: Field, only: number | null): void {
       }
     }
   }
-  const quad = (a: number, b: number, c: number, d: number, flip: boolean, px: number, py: number, pz: number) => {
+  const quad = (
+    a: number,
+    b: number,
+    c: number,
+    d: number,
+    flip: boolean,
+    px: number,
+    py: number,
+    pz: number,
+  ) => {
     if (a < 0 || b < 0 || c < 0 || d < 0) return;
     const list = raw.triangles[PARTS.indexOf(field.part(px, py, pz))];
     if (flip) list.push(a, c, b, a, d, c);
@@ -125,9 +162,12 @@ function surfaceNets(raw: Raw, field: Field, only: number | null): void {
         const px = low[0] + x * cell;
         const py = low[1] + y * cell;
         const pz = low[2] + z * cell;
-        if (here !== value[i + 1] < 0) quad(vertex[i - nx - nx * ny], vertex[i - nx * ny], vertex[i], vertex[i - nx], !here, px, py, pz);
-        if (here !== value[i + nx] < 0) quad(vertex[i - 1 - nx * ny], vertex[i - 1], vertex[i], vertex[i - nx * ny], !here, px, py, pz);
-        if (here !== value[i + nx * ny] < 0) quad(vertex[i - 1 - nx], vertex[i - nx], vertex[i], vertex[i - 1], !here, px, py, pz);
+        if (here !== value[i + 1] < 0)
+          quad(vertex[i - nx - nx * ny], vertex[i - nx * ny], vertex[i], vertex[i - nx], !here, px, py, pz);
+        if (here !== value[i + nx] < 0)
+          quad(vertex[i - 1 - nx * ny], vertex[i - 1], vertex[i], vertex[i - nx * ny], !here, px, py, pz);
+        if (here !== value[i + nx * ny] < 0)
+          quad(vertex[i - 1 - nx], vertex[i - nx], vertex[i], vertex[i - 1], !here, px, py, pz);
       }
     }
   }
@@ -137,7 +177,9 @@ function surfaceNets(raw: Raw, field: Field, only: number | null): void {
 function boneEnds(skeleton: Skeleton, rest: Float64Array): Float64Array {
   const ends = new Float64Array(3 * JOINT_COUNT);
   const child: Record<number, number> = {};
-  for (let j = JOINT_COUNT - 1; j > 0; j--) if (![J.leftShoulder, J.rightShoulder, J.leftUpperLeg, J.rightUpperLeg].includes(j as never)) child[PARENTS[j]] = j;
+  for (let j = JOINT_COUNT - 1; j > 0; j--)
+    if (![J.leftShoulder, J.rightShoulder, J.leftUpperLeg, J.rightUpperLeg].includes(j as never))
+      child[PARENTS[j]] = j;
   for (let j = 0; j < JOINT_COUNT; j++) {
     const c = child[j];
     for (let k = 0; k < 3; k++) ends[3 * j + k] = c !== undefined ? rest[3 * c + k] : rest[3 * j + k];
@@ -198,6 +240,9 @@ function segment(x: number, y: number, z: number, a: Float64Array, b: Float64Arr
   const ey = b[o + 1] - a[o + 1];
   const ez = b[o + 2] - a[o + 2];
   const l = ex * ex + ey * ey + ez * ez;
-  const t = l > 1e-12 ? Math.max(0, Math.min(1, ((x - a[o]) * ex + (y - a[o + 1]) * ey + (z - a[o + 2]) * ez) / l)) : 0;
+  const t =
+    l > 1e-12
+      ? Math.max(0, Math.min(1, ((x - a[o]) * ex + (y - a[o + 1]) * ey + (z - a[o + 2]) * ez) / l))
+      : 0;
   return Math.hypot(x - a[o] - t * ex, y - a[o + 1] - t * ey, z - a[o + 2] - t * ez);
 }

@@ -1,5 +1,13 @@
 /** The character in the scene: the mesh skinned to the skeleton's joints, posed from flat arrays. */
-import { Bone, BufferAttribute, BufferGeometry, Group, MeshPhysicalMaterial, Skeleton as ThreeSkeleton, SkinnedMesh } from "three";
+import {
+  Bone,
+  BufferAttribute,
+  BufferGeometry,
+  Group,
+  MeshPhysicalMaterial,
+  SkinnedMesh,
+  Skeleton as ThreeSkeleton,
+} from "three";
 import { JOINT_COUNT, JOINT_NAMES, PARENTS } from "../../core/skeleton/joints.ts";
 import type { Skeleton } from "../../core/skeleton/skeleton.ts";
 import { blob } from "../props.ts";
@@ -24,7 +32,14 @@ export class Figure {
     data.groups.forEach(([start, count], i) => {
       geometry.addGroup(start, count, i);
     });
-    this.materials = PARTS.map((part) => new MeshPhysicalMaterial({ roughness: part === "body" ? 0.62 : 0.55, sheen: part === "body" ? 0.5 : 0, sheenRoughness: 0.6 }));
+    this.materials = PARTS.map(
+      (part) =>
+        new MeshPhysicalMaterial({
+          roughness: part === "body" ? 0.62 : 0.55,
+          sheen: part === "body" ? 0.5 : 0,
+          sheenRoughness: 0.6,
+        }),
+    );
     this.mesh = new SkinnedMesh(geometry, this.materials);
     this.mesh.castShadow = true;
     this.mesh.receiveShadow = true;
@@ -35,7 +50,11 @@ export class Figure {
       return b;
     });
     for (let j = 0; j < JOINT_COUNT; j++) {
-      this.bones[j].position.set(skeleton.offsets[3 * j], skeleton.offsets[3 * j + 1], skeleton.offsets[3 * j + 2]);
+      this.bones[j].position.set(
+        skeleton.offsets[3 * j],
+        skeleton.offsets[3 * j + 1],
+        skeleton.offsets[3 * j + 2],
+      );
       if (PARENTS[j] >= 0) this.bones[PARENTS[j]].add(this.bones[j]);
     }
     this.mesh.add(this.bones[0]);
@@ -64,7 +83,8 @@ export class Figure {
       const e = this.bones[foot].matrixWorld.elements;
       this.blobs[i].position.set(e[12] + 0.06 * e[8], 0.002, e[14] + 0.06 * e[10]);
       this.blobs[i].rotation.y = Math.atan2(e[8], e[10]);
-      (this.blobs[i].material as { opacity?: number }).opacity = 0.5 * Math.max(0, 1 - Math.max(0, e[13] - 0.1) / 0.14);
+      (this.blobs[i].material as { opacity?: number }).opacity =
+        0.5 * Math.max(0, 1 - Math.max(0, e[13] - 0.1) / 0.14);
     });
     this.blobs[2].position.set(root[r], 0.0015, root[r + 2]);
   }
