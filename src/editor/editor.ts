@@ -144,7 +144,8 @@ export class Editor {
     const { plan, time } = s;
     if (!plan) return;
     const at = new Map<number, { x: number; z: number; yaw: number }>();
-    if (s.showBefore) for (const t of plan.traces) for (const [k, b] of t.before.entries()) at.set(t.first + k, b);
+    if (s.showBefore)
+      for (const t of plan.traces) for (const [k, b] of t.before.entries()) at.set(t.first + k, b);
     const prints: Footprint[] = [
       ...plan.start.map(
         (f): Footprint => ({ ...f, category: null, phase: null, state: time > 0.5 ? "past" : "now" }),

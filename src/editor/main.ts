@@ -6,12 +6,15 @@ import { loadScene } from "./storage.ts";
 
 declare global {
   interface Window {
-    /** A read-only look at the editor, for tests and the curious. */
+    /** A look at the editor from outside, for tests and the curious. */
     stepwright?: {
       log(): readonly LogEntry[];
       state(): ReturnType<Editor["store"]["getState"]>;
       frames(): { current: number; filled: number } | null;
-      foot(frame: number): number[] | null;
+      /** Root and contacts of a frame that has arrived. */
+      feetAt(frame: number): { root: number[]; contacts: number } | null;
+      seek(time: number): void;
+      restartPlanner(): void;
     };
   }
 }
@@ -60,10 +63,14 @@ async function start(): Promise<void> {
       editor.motion.current
         ? { current: editor.motion.current.frames, filled: editor.motion.current.filled }
         : null,
-    foot: (frame) => {
+    feetAt: (frame) => {
       const m = editor.motion.current;
-      return m && frame < m.filled ? [...m.root.subarray(3 * frame, 3 * frame + 3), m.contacts[frame]] : null;
+      return m && frame < m.filled
+        ? { root: [...m.root.subarray(3 * frame, 3 * frame + 3)], contacts: m.contacts[frame] }
+        : null;
     },
+    seek: (time) => editor.seek(time),
+    restartPlanner: () => editor.restartPlanner(),
   };
 }
 

@@ -81,7 +81,8 @@ export function renderScore(score: Score): Rendered {
     const load = tasks.load.share.some((s) => s > 0) ? tasks.load : null;
     const q = zeroMomentPoint(positions, JOINT_COUNT, frames, centre, load);
     // A leg out of reach throws its zero-moment point far off: one round believes a hand's breadth at most.
-    for (let k = 0; k < q.length; k++) q[k] = Math.max(-MOST_CORRECTION, Math.min(MOST_CORRECTION, pressure.point[k] - q[k]));
+    for (let k = 0; k < q.length; k++)
+      q[k] = Math.max(-MOST_CORRECTION, Math.min(MOST_CORRECTION, pressure.point[k] - q[k]));
     for (let f = 0; f < frames; f++) if (tasks.pins.pinned[f]) q[2 * f] = q[2 * f + 1] = 0;
     gaussian(q, 2, 2);
     const correction = pendulum(q, height, {

@@ -31,15 +31,34 @@ export function randomScene(seed: number): Scene {
     });
     if (category === "sit") props.push({ id: `stool${i}`, kind: "stool", position: [x, 0, z], yaw });
     if (category === "lift" || category === "place") {
-      props.push({ id: `table${i}`, kind: "table", position: [x + 0.17 * Math.sin(yaw), 0, z + 0.17 * Math.cos(yaw)], yaw });
+      props.push({
+        id: `table${i}`,
+        kind: "table",
+        position: [x + 0.17 * Math.sin(yaw), 0, z + 0.17 * Math.cos(yaw)],
+        yaw,
+      });
     }
   }
   const way = r.below(3);
   for (let k = 0; k < way; k++) {
     const px = r.between(-3.5, 3.5);
     const pz = r.between(-3.5, 3.5);
-    const clear = (tasks as { position: number[] }[]).every((t) => Math.hypot(t.position[0] - px, t.position[2] - pz) > 1.3);
-    if (clear && Math.hypot(px, pz) > 0.8) props.push({ id: `way${k}`, kind: r.next() < 0.5 ? "pillar" : "table", position: [px, 0, pz], yaw: r.between(0, 3) });
+    const clear = (tasks as { position: number[] }[]).every(
+      (t) => Math.hypot(t.position[0] - px, t.position[2] - pz) > 1.3,
+    );
+    if (clear && Math.hypot(px, pz) > 0.8)
+      props.push({
+        id: `way${k}`,
+        kind: r.next() < 0.5 ? "pillar" : "table",
+        position: [px, 0, pz],
+        yaw: r.between(0, 3),
+      });
   }
-  return parseScene({ version: 1, seed, start: { position: [0, 0], yaw: r.between(-Math.PI, Math.PI) }, tasks, props });
+  return parseScene({
+    version: 1,
+    seed,
+    start: { position: [0, 0], yaw: r.between(-Math.PI, Math.PI) },
+    tasks,
+    props,
+  });
 }

@@ -3,9 +3,9 @@ import { describe, expect, it } from "vitest";
 import { createRandom } from "../../src/core/math/random.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { STEP_CATEGORIES } from "../../src/core/steps/types.ts";
+import { mergeLibraries } from "../../src/core/templates/build-library.ts";
 import { createKdTree, nearest } from "../../src/core/templates/kd-tree.ts";
 import { decodeLibrary, encodeLibrary } from "../../src/core/templates/library-file.ts";
-import { mergeLibraries } from "../../src/core/templates/build-library.ts";
 import { retargetLibrary } from "../../src/core/templates/retarget-library.ts";
 import { retrieveEntry } from "../../src/core/templates/retrieve.ts";
 import { studioSet } from "../../src/studio/set.ts";
@@ -20,9 +20,14 @@ describe("k-d tree", () => {
         const n = 1 + r.below(60);
         const rows = Float64Array.from({ length: n * d }, () => Math.round(r.between(-5, 5)));
         const query = Array.from({ length: d }, () => r.between(-5, 5));
-        const all = Array.from({ length: n }, (_, id) => ({ id, distance: Math.hypot(...query.map((q, k) => rows[id * d + k] - q)) })).sort((a, b) => a.distance - b.distance || a.id - b.id);
+        const all = Array.from({ length: n }, (_, id) => ({
+          id,
+          distance: Math.hypot(...query.map((q, k) => rows[id * d + k] - q)),
+        })).sort((a, b) => a.distance - b.distance || a.id - b.id);
         const found = nearest(createKdTree(rows, d), query, 5);
-        expect(found.map((f) => f.distance)).toEqual(all.slice(0, 5).map((f) => expect.closeTo(f.distance, 10)));
+        expect(found.map((f) => f.distance)).toEqual(
+          all.slice(0, 5).map((f) => expect.closeTo(f.distance, 10)),
+        );
       }),
       { seed: 8, numRuns: 200 },
     );
@@ -34,8 +39,14 @@ describe("library of the studio's captures", () => {
 
   it("has templates of every task, both ways", () => {
     for (const c of ["write", "lift", "place", "sit", "turn"] as const) {
-      expect(library.templates.filter((t) => t.phase === "enter" && t.descriptor.category === c).length, c).toBeGreaterThan(10);
-      expect(library.templates.filter((t) => t.phase === "exit" && t.descriptor.category === c).length, c).toBeGreaterThan(5);
+      expect(
+        library.templates.filter((t) => t.phase === "enter" && t.descriptor.category === c).length,
+        c,
+      ).toBeGreaterThan(10);
+      expect(
+        library.templates.filter((t) => t.phase === "exit" && t.descriptor.category === c).length,
+        c,
+      ).toBeGreaterThan(5);
     }
     expect(library.walks.length).toBeGreaterThan(60);
   });
@@ -52,13 +63,21 @@ describe("library of the studio's captures", () => {
       for (const p of pivots) {
         const kind = p.kind === "heelPivot" ? "HeelPivot" : "ToePivot";
         expect(
-          clip.steps.some((s) => s.category === kind && s.foot === p.foot && Math.abs(s.end - p.land * 60) < 12),
+          clip.steps.some(
+            (s) => s.category === kind && s.foot === p.foot && Math.abs(s.end - p.land * 60) < 12,
+          ),
           `${set[i].name} ${p.kind} at ${p.lift}`,
         ).toBe(true);
       }
       for (const p of set[i].score.steps) {
         all++;
-        if (clip.steps.some((s) => s.foot === p.foot && Math.abs(s.start - p.lift * 60) <= 2 && Math.abs(s.end - p.land * 60) <= 2)) near++;
+        if (
+          clip.steps.some(
+            (s) =>
+              s.foot === p.foot && Math.abs(s.start - p.lift * 60) <= 2 && Math.abs(s.end - p.land * 60) <= 2,
+          )
+        )
+          near++;
       }
     });
     expect([...seen].sort()).toEqual([...STEP_CATEGORIES].sort());
@@ -89,7 +108,9 @@ describe("library of the studio's captures", () => {
     const parts = [0, 1, 2].map((k) => ({ ...library, clips: library.clips.filter((_, i) => i % 3 === k) }));
     const one = mergeLibraries([library]);
     expect(mergeLibraries(parts).templates.map((t) => t.id)).toEqual(one.templates.map((t) => t.id));
-    expect(mergeLibraries([...parts].reverse()).templates.map((t) => t.id)).toEqual(one.templates.map((t) => t.id));
+    expect(mergeLibraries([...parts].reverse()).templates.map((t) => t.id)).toEqual(
+      one.templates.map((t) => t.id),
+    );
   });
 
   it("a taller character's templates reach farther", () => {
@@ -99,7 +120,18 @@ describe("library of the studio's captures", () => {
 
   it("near writing places are entered by side steps, middle ones by turn and step, far ones by walking [TaskLoco Figure 4]", () => {
     const share = (x: number, category: string): number => {
-      const found = retrieveEntry(library, { category: "write", currentInNext: [x, 0], nextEffort: 1, followupInNext: null, followupEffort: null, hand: "right" }, 1)[0].template;
+      const found = retrieveEntry(
+        library,
+        {
+          category: "write",
+          currentInNext: [x, 0],
+          nextEffort: 1,
+          followupInNext: null,
+          followupEffort: null,
+          hand: "right",
+        },
+        1,
+      )[0].template;
       const steps = library.clips[found.clip].steps.slice(found.first, found.last);
       return steps.filter((s) => s.category === category).length / steps.length;
     };

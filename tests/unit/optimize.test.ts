@@ -2,18 +2,19 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { createRandom } from "../../src/core/math/random.ts";
 import { createBfgsWorkspace, minimiseBfgs } from "../../src/core/optimize/bfgs.ts";
 import { evaluateFootsteps, type FootstepProblem } from "../../src/core/optimize/footstep-objective.ts";
 import { createFootstepWorkspace, optimizeFootsteps } from "../../src/core/optimize/optimize-footsteps.ts";
 import { PHASE_NAMES, PHASE_WEIGHTS } from "../../src/core/optimize/phase-weights.ts";
-import { createRandom } from "../../src/core/math/random.ts";
-import { hasShared, SHARED } from "../support/shared.ts";
 import { readInstances } from "../support/instances.ts";
+import { hasShared, SHARED } from "../support/shared.ts";
 
 function randomProblem(seed: number): { problem: FootstepProblem; x: Float64Array } {
   const r = createRandom(seed);
   const n = 1 + r.below(16);
-  const array = (k: number, low: number, high: number) => Float64Array.from({ length: k }, () => r.between(low, high));
+  const array = (k: number, low: number, high: number) =>
+    Float64Array.from({ length: k }, () => r.between(low, high));
   const problem: FootstepProblem = {
     n,
     previous: array(3, -0.3, 0.3),
@@ -89,7 +90,9 @@ describe("BFGS", () => {
 
   it("not converging is a status", () => {
     const x = Float64Array.of(5);
-    expect(minimiseBfgs((at, g) => ((g[0] = 1), at[0]), x, 1, createBfgsWorkspace(1), { maxIterations: 3 }).status).not.toBe("converged");
+    expect(
+      minimiseBfgs((at, g) => ((g[0] = 1), at[0]), x, 1, createBfgsWorkspace(1), { maxIterations: 3 }).status,
+    ).not.toBe("converged");
   });
 });
 
@@ -97,7 +100,14 @@ describe.skipIf(!hasShared)("reference instances", () => {
   it("starts at f0 to 1e-9 and ends at or below the reference on 98.5 % of each size", () => {
     const instances = readInstances(join(SHARED, "bench/footstep-instances.json"));
     const reference = new Map(
-      (JSON.parse(readFileSync(join(SHARED, "bench/footstep-reference.json"), "utf8")).reference as { id: string; f0: number; f: number; best: number }[]).map((r) => [r.id, r]),
+      (
+        JSON.parse(readFileSync(join(SHARED, "bench/footstep-reference.json"), "utf8")).reference as {
+          id: string;
+          f0: number;
+          f: number;
+          best: number;
+        }[]
+      ).map((r) => [r.id, r]),
     );
     const workspace = createFootstepWorkspace(16);
     const hits: Record<number, [number, number]> = {};
@@ -110,6 +120,7 @@ describe.skipIf(!hasShared)("reference instances", () => {
       h[1]++;
       if (f <= ref.f + 1e-6 || f <= ref.best + 1e-6) h[0]++;
     }
-    for (const [n, [hit, all]] of Object.entries(hits)) expect(hit / all, `n = ${n}`).toBeGreaterThanOrEqual(0.985);
+    for (const [n, [hit, all]] of Object.entries(hits))
+      expect(hit / all, `n = ${n}`).toBeGreaterThanOrEqual(0.985);
   });
 });

@@ -1,14 +1,19 @@
 import { describe, expect, it } from "vitest";
-import { beginSynthesis, handResults, synthesiseChunk, synthesiseClip } from "../../src/core/motion/synthesise.ts";
+import {
+  beginSynthesis,
+  handResults,
+  synthesiseChunk,
+  synthesiseClip,
+} from "../../src/core/motion/synthesise.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
+import * as commands from "../../src/core/scene/commands.ts";
 import { defaultScene } from "../../src/core/scene/default-scene.ts";
 import { parseScene } from "../../src/core/scene/schema.ts";
-import * as commands from "../../src/core/scene/commands.ts";
+import type { Scene } from "../../src/core/scene/types.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { goalsOf, planScene } from "../../src/core/tasks/plan-scene.ts";
 import { findRoute, obstacleDistance } from "../../src/core/tasks/route.ts";
 import { retargetLibrary } from "../../src/core/templates/retarget-library.ts";
-import type { Scene } from "../../src/core/scene/types.ts";
 import { studio } from "../support/library.ts";
 import { randomScene } from "../support/random-scene.ts";
 
@@ -21,15 +26,27 @@ function run(scene: Scene) {
   const goals = goalsOf(scene);
   const synthesis = beginSynthesis(fitted, skeleton, plan, goals, new Map());
   const clip = synthesiseClip(synthesis, "x");
-  const chunk = { first: 0, frames: clip.frames, root: Float32Array.from(clip.root), rotations: Float32Array.from(clip.rotations), contacts: synthesis.track.contacts };
-  return { plan, clip, quality: measureMotion(skeleton, [chunk], clip.frames, plan, goals), hands: handResults(synthesis) };
+  const chunk = {
+    first: 0,
+    frames: clip.frames,
+    root: Float32Array.from(clip.root),
+    rotations: Float32Array.from(clip.rotations),
+    contacts: synthesis.track.contacts,
+  };
+  return {
+    plan,
+    clip,
+    quality: measureMotion(skeleton, [chunk], clip.frames, plan, goals),
+    hands: handResults(synthesis),
+  };
 }
 
 describe("planner", () => {
   it("does the first scene: every task in order, feet where they were planned, hands and seat at their places", () => {
     const { plan, quality, hands } = run(defaultScene());
     expect(plan.tasks.map((t) => t.id)).toEqual(["write", "lift", "place", "sit"]);
-    for (let i = 1; i < plan.tasks.length; i++) expect(plan.tasks[i].start).toBeGreaterThan(plan.tasks[i - 1].contact);
+    for (let i = 1; i < plan.tasks.length; i++)
+      expect(plan.tasks[i].start).toBeGreaterThan(plan.tasks[i - 1].contact);
     for (const s of plan.steps) expect(s.land).toBeGreaterThan(s.lift);
     expect(quality.skate).toBeLessThan(4);
     expect(quality.penetration).toBeLessThan(3);
@@ -50,7 +67,9 @@ describe("planner", () => {
       const scene = randomScene(seed);
       const { plan, clip, quality } = run(scene);
       expect(plan.tasks, `seed ${seed}`).toHaveLength(scene.tasks.length);
-      expect(clip.root.every(Number.isFinite) && clip.rotations.every(Number.isFinite), `seed ${seed}`).toBe(true);
+      expect(clip.root.every(Number.isFinite) && clip.rotations.every(Number.isFinite), `seed ${seed}`).toBe(
+        true,
+      );
       expect(quality.skate ?? 0, `seed ${seed}`).toBeLessThan(4);
       expect(quality.penetration ?? 0, `seed ${seed}`).toBeLessThan(3);
       expect(quality.footstepError?.position ?? 0, `seed ${seed}`).toBeLessThan(1);
@@ -79,13 +98,26 @@ describe("planner", () => {
     expect(worst).toBeLessThan(0.002);
     // The feet on the ground at that moment do not move.
     const f = Math.floor(now * 60);
-    for (let k = 0; k < 2; k++) if ((before.track.contacts[f] >> (2 * k)) & 3) for (let c = 0; c < 3; c++) expect(after.track.feet[(2 * f + k) * 8 + c]).toBeCloseTo(before.track.feet[(2 * f + k) * 8 + c], 6);
+    for (let k = 0; k < 2; k++)
+      if ((before.track.contacts[f] >> (2 * k)) & 3)
+        for (let c = 0; c < 3; c++)
+          expect(after.track.feet[(2 * f + k) * 8 + c]).toBeCloseTo(
+            before.track.feet[(2 * f + k) * 8 + c],
+            6,
+          );
   });
 
   it("the box task uses no pivots where the writing task does [TaskLoco Figure 17]", () => {
     const scene = (category: string) =>
-      parseScene({ version: 1, start: { position: [1.5, -1.5], yaw: 0 }, tasks: [{ id: "a", category, position: [0, category === "write" ? 1.35 : 0.87, 1.2], yaw: 0 }] });
-    const pivots = (category: string) => planScene(scene(category), fitted, skeleton).steps.filter((s) => s.phase === "enter" && s.category.endsWith("Pivot")).length;
+      parseScene({
+        version: 1,
+        start: { position: [2.6, 0.5], yaw: 0 },
+        tasks: [{ id: "a", category, position: [0, category === "write" ? 1.35 : 0.87, 1.2], yaw: 0 }],
+      });
+    const pivots = (category: string) =>
+      planScene(scene(category), fitted, skeleton).steps.filter(
+        (s) => s.phase === "enter" && s.category.endsWith("Pivot"),
+      ).length;
     expect(pivots("write")).toBeGreaterThan(0);
     expect(pivots("lift")).toBe(0);
   });
@@ -103,7 +135,8 @@ describe("planner", () => {
       const q = planScene(scene, b, tall);
       scene.tasks.forEach((_, i) => {
         all++;
-        const kinds = (plan: typeof p) => [...new Set(plan.steps.filter((s) => s.task === i).map((s) => s.category))].sort().join();
+        const kinds = (plan: typeof p) =>
+          [...new Set(plan.steps.filter((s) => s.task === i).map((s) => s.category))].sort().join();
         if (kinds(p) !== kinds(q)) changed++;
       });
     }
@@ -111,7 +144,10 @@ describe("planner", () => {
   });
 
   it("a point out of reach is planned for and named", () => {
-    const scene = parseScene({ version: 1, tasks: [{ id: "a", category: "write", position: [0, 3.4, 2], yaw: 0 }] });
+    const scene = parseScene({
+      version: 1,
+      tasks: [{ id: "a", category: "write", position: [0, 3.4, 2], yaw: 0 }],
+    });
     const { plan, clip } = run(scene);
     expect(plan.warnings[0]).toContain("tasks[0].position: too high to reach: 3.40 m");
     expect(clip.rotations.every(Number.isFinite)).toBe(true);
@@ -126,7 +162,10 @@ describe("routes", () => {
     expect(points.length).toBeGreaterThan(1);
     let from = { x: 0, z: -2 };
     for (const p of points) {
-      for (let u = 0; u <= 1; u += 0.02) expect(obstacleDistance(table, from.x + u * (p.x - from.x), from.z + u * (p.z - from.z))).toBeGreaterThan(0.39);
+      for (let u = 0; u <= 1; u += 0.02)
+        expect(
+          obstacleDistance(table, from.x + u * (p.x - from.x), from.z + u * (p.z - from.z)),
+        ).toBeGreaterThan(0.39);
       from = p;
     }
   });

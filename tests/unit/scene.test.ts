@@ -11,7 +11,14 @@ import { TASK_CATEGORIES } from "../../src/core/scene/task-types.ts";
 describe("scene documents", () => {
   it("fills in every default", () => {
     const s = parseScene({ version: 1 });
-    expect(s).toMatchObject({ seed: 1, tasks: [], order: [], terrain: { kind: "flat" }, crowd: null, character: { height: 1.75 } });
+    expect(s).toMatchObject({
+      seed: 1,
+      tasks: [],
+      order: [],
+      terrain: { kind: "flat" },
+      crowd: null,
+      character: { height: 1.75 },
+    });
   });
 
   it("what is written is read back", () => {
@@ -23,9 +30,15 @@ describe("scene documents", () => {
   it.each([
     [{}, "version: this field is needed"],
     [{ version: 2 }, "version: version 1 is needed, found 2."],
-    [{ version: 1, tasks: [task, { ...task, id: "b" }, { ...task, id: "c", yaw: "left" }] }, 'tasks[2].yaw: a number is needed, found "left".'],
+    [
+      { version: 1, tasks: [task, { ...task, id: "b" }, { ...task, id: "c", yaw: "left" }] },
+      'tasks[2].yaw: a number is needed, found "left".',
+    ],
     [{ version: 1, tasks: [{ ...task, position: [0, 1] }] }, "tasks[0].position"],
-    [{ version: 1, tasks: [{ ...task, category: "dance" }] }, 'tasks[0].category: one of write, lift, place, sit, stand, turn is needed, found "dance".'],
+    [
+      { version: 1, tasks: [{ ...task, category: "dance" }] },
+      'tasks[0].category: one of write, lift, place, sit, stand, turn is needed, found "dance".',
+    ],
     [{ version: 1, tasks: [task, task] }, "tasks[1].id: an id of its own is needed"],
     [{ version: 1, order: ["x"] }, "order[0]: no task, path or stone has the id"],
     [{ version: 1, colour: 3 }, "colour: no such field is known."],
@@ -57,7 +70,10 @@ describe("commands and undo", () => {
   it("a task takes its furniture along", () => {
     const s = defaultScene();
     const moved = commands.placeTask(s, "lift", [0, 0.95, -2], 1);
-    expect(propsOfTask(moved, moved.tasks.find((t) => t.id === "lift")!).map((p) => p.kind)).toEqual(["table", "box"]);
+    expect(propsOfTask(moved, moved.tasks.find((t) => t.id === "lift")!).map((p) => p.kind)).toEqual([
+      "table",
+      "box",
+    ]);
     expect(moved.props.find((p) => p.id === "table-2")).toEqual(s.props.find((p) => p.id === "table-2"));
   });
 
@@ -70,32 +86,45 @@ describe("commands and undo", () => {
 
   it("undo of 100 random edits gives the same document, redo the edited one (seed 31)", () => {
     fc.assert(
-      fc.property(fc.array(fc.tuple(fc.integer({ min: 0, max: 4 }), fc.integer({ min: 0, max: 50 }), fc.double({ min: -3, max: 3, noNaN: true })), { minLength: 100, maxLength: 100 }), (edits) => {
-        const history = new History(defaultScene());
-        let count = 0;
-        for (const [kind, which, amount] of edits) {
-          const s = history.scene;
-          const id = s.tasks[which % Math.max(1, s.tasks.length)]?.id ?? "";
-          const before = history.scene;
-          if (kind === 0) history.apply(commands.addTask(s, TASK_CATEGORIES[which % 6], amount, -amount, amount).scene);
-          else if (kind === 1) history.apply(commands.placeTask(s, id, [amount, 1, amount / 2], amount));
-          else if (kind === 2) history.apply(commands.removeTask(s, id));
-          else if (kind === 3) history.apply(commands.changeTask(s, id, { effort: which % 2 === 0 ? 0 : 1 }));
-          else {
-            // A drag: many moves, one entry.
-            history.begin();
-            for (let k = 1; k <= 3; k++) history.apply(commands.placeTask(history.scene, id, [amount * k, 1, 0], 0));
-            history.commit();
+      fc.property(
+        fc.array(
+          fc.tuple(
+            fc.integer({ min: 0, max: 4 }),
+            fc.integer({ min: 0, max: 50 }),
+            fc.double({ min: -3, max: 3, noNaN: true }),
+          ),
+          { minLength: 100, maxLength: 100 },
+        ),
+        (edits) => {
+          const history = new History(defaultScene());
+          let count = 0;
+          for (const [kind, which, amount] of edits) {
+            const s = history.scene;
+            const id = s.tasks[which % Math.max(1, s.tasks.length)]?.id ?? "";
+            const before = history.scene;
+            if (kind === 0)
+              history.apply(commands.addTask(s, TASK_CATEGORIES[which % 6], amount, -amount, amount).scene);
+            else if (kind === 1) history.apply(commands.placeTask(s, id, [amount, 1, amount / 2], amount));
+            else if (kind === 2) history.apply(commands.removeTask(s, id));
+            else if (kind === 3)
+              history.apply(commands.changeTask(s, id, { effort: which % 2 === 0 ? 0 : 1 }));
+            else {
+              // A drag: many moves, one entry.
+              history.begin();
+              for (let k = 1; k <= 3; k++)
+                history.apply(commands.placeTask(history.scene, id, [amount * k, 1, 0], 0));
+              history.commit();
+            }
+            if (history.scene !== before) count++;
           }
-          if (history.scene !== before) count++;
-        }
-        const end = serializeScene(history.scene);
-        for (let i = 0; i < count; i++) expect(history.undo()).toBe(true);
-        expect(history.canUndo).toBe(false);
-        expect(serializeScene(history.scene)).toBe(serializeScene(defaultScene()));
-        for (let i = 0; i < count; i++) history.redo();
-        expect(serializeScene(history.scene)).toBe(end);
-      }),
+          const end = serializeScene(history.scene);
+          for (let i = 0; i < count; i++) expect(history.undo()).toBe(true);
+          expect(history.canUndo).toBe(false);
+          expect(serializeScene(history.scene)).toBe(serializeScene(defaultScene()));
+          for (let i = 0; i < count; i++) history.redo();
+          expect(serializeScene(history.scene)).toBe(end);
+        },
+      ),
       { seed: 31, numRuns: 20 },
     );
   });

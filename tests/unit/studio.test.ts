@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { plantedAnkle, pivotPlace } from "../../src/core/motion/sole.ts";
-import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { solePoints } from "../../src/core/contacts/baselines.ts";
+import { pivotPlace, plantedAnkle } from "../../src/core/motion/sole.ts";
+import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { studio } from "../support/library.ts";
 
 describe("planted foot", () => {
@@ -20,7 +20,10 @@ describe("planted foot", () => {
     const ball = (pitch: number) => {
       plantedAnkle(out, shape, pitch);
       const rise = shape.ankleHeight - shape.ballHeight;
-      return [out[0] + shape.ballForward * Math.cos(pitch) + rise * Math.sin(pitch), out[1] + shape.ballForward * Math.sin(pitch) - rise * Math.cos(pitch)];
+      return [
+        out[0] + shape.ballForward * Math.cos(pitch) + rise * Math.sin(pitch),
+        out[1] + shape.ballForward * Math.sin(pitch) - rise * Math.cos(pitch),
+      ];
     };
     for (const pitch of [-0.05, -0.2]) {
       expect(ball(pitch)[0]).toBeCloseTo(shape.ballForward, 3);
@@ -30,7 +33,10 @@ describe("planted foot", () => {
   });
   it("pivots about a point that stays", () => {
     const from = { x: 0.3, z: -0.2, yaw: 0.4 };
-    for (const [end, d] of [["heel", -shape.heelBack], ["ball", shape.ballForward]] as const) {
+    for (const [end, d] of [
+      ["heel", -shape.heelBack],
+      ["ball", shape.ballForward],
+    ] as const) {
       const to = pivotPlace(shape, from, 1.1, end);
       expect(to.x + d * Math.sin(to.yaw)).toBeCloseTo(from.x + d * Math.sin(from.yaw), 12);
       expect(to.z + d * Math.cos(to.yaw)).toBeCloseTo(from.z + d * Math.cos(from.yaw), 12);
@@ -65,6 +71,8 @@ describe("captures of the studio", () => {
     const { renderScore } = await import("../../src/studio/render.ts");
     const { studioSet } = await import("../../src/studio/set.ts");
     const { clip } = renderScore(studioSet()[2].score);
-    expect(Buffer.from(clip.rotations.buffer).equals(Buffer.from(rendered[2].clip.rotations.buffer))).toBe(true);
+    expect(Buffer.from(clip.rotations.buffer).equals(Buffer.from(rendered[2].clip.rotations.buffer))).toBe(
+      true,
+    );
   });
 });

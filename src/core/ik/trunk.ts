@@ -18,7 +18,7 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 const SPINE = [J.spine, J.chest, J.upperChest] as const;
 /** An arm is asked for at most this share of its length before the trunk helps. */
 const COMFORT = 0.96;
-const ROUNDS = 4;
+const ROUNDS = 8;
 /** Most that one joint turns in one round, radians. */
 const MOST_TURN = 0.12;
 
@@ -85,7 +85,7 @@ export function bendTrunk(
       bz /= b;
       quatBetween(q, 0, ax, ay, az, bx, by, bz);
       const angle = Math.acos(Math.max(-1, Math.min(1, ax * bx + ay * by + az * bz)));
-      const share = angle > 1e-9 ? Math.min(0.45, MOST_TURN / angle) : 0;
+      const share = angle > 1e-9 ? Math.min(0.6, MOST_TURN / angle) : 0;
       quatSlerp(q, 4, identity, 0, q, 0, share);
       quatMultiply(q, 8, q, 4, world, 4 * joint);
       quatInverseMultiply(pose, 4 * joint, world, 4 * (joint - 1), q, 8);

@@ -28,9 +28,13 @@ export interface Carry {
 export interface HandState {
   windows: TaskWindow[];
   carries: Carry[];
+  /** Places where nothing was carried: the hands go through it all the same. */
+  alone: TaskWindow[];
   ink: { times: number[]; points: number[]; task: string }[];
   /** Last gap between the task's and the body's hands, per window: hands' middle or pen. */
   gaps: Float64Array;
+  /** How firmly each hand writes in the present frame. */
+  writing: [number, number];
   /** Where the pen of each window was against its task at contact. */
   penStart: Float64Array;
 }
@@ -41,10 +45,11 @@ const PALM_GAP = 0.01;
 
 export function createHandState(windows: TaskWindow[], frames: number): HandState {
   const carries: Carry[] = [];
+  const alone: TaskWindow[] = [];
   let open: TaskWindow | null = null;
-  const close = (lift: TaskWindow, place: TaskWindow | null) => {
+  const close = (lift: TaskWindow, place: TaskWindow | null, until = frames - 1) => {
     const first = lift.contact;
-    const last = Math.min(frames - 1, place ? place.contact : frames - 1);
+    const last = Math.min(frames - 1, place ? place.contact : until);
     if (last < first) return;
     carries.push({
       lift,
@@ -62,18 +67,21 @@ export function createHandState(windows: TaskWindow[], frames: number): HandStat
   };
   for (const w of windows) {
     if (w.task.category === "lift") {
-      if (open) close(open, null);
+      // A second box takes the hands: the first is left where they let it go.
+      if (open) close(open, null, Math.max(open.contact, w.from));
       open = w;
     } else if (w.task.category === "place" && open) {
       close(open, w);
       open = null;
-    }
+    } else if (w.task.category === "place") alone.push(w);
   }
   if (open) close(open, null);
   return {
     windows,
     carries,
+    alone,
     ink: [],
+    writing: [0, 0],
     gaps: new Float64Array(3 * Math.max(1, windows.length)),
     penStart: new Float64Array(3 * Math.max(1, windows.length)),
   };
@@ -131,6 +139,7 @@ export function handTargets(
 ): void {
   targets.weight[0] = 0;
   targets.weight[1] = 0;
+  state.writing[0] = state.writing[1] = 0;
   const setup = setups[track.segmentOf[frame]];
   const source = track.sourceFrame[frame];
   for (let i = 0; i < state.windows.length; i++) {
@@ -138,6 +147,7 @@ export function handTargets(
     if (w.task.category !== "write") continue;
     const weight = windowWeight(w, frame);
     if (weight <= 0) continue;
+    state.writing[w.task.hand === "left" ? 0 : 1] = weight;
     writeTarget(targets, state, i, limbs, setup, source, frame, weight, skeleton);
   }
   boxTargets(targets, state, limbs, setup, source, frame, skeleton);
@@ -261,6 +271,12 @@ function boxTargets(
   frame: number,
   skeleton: Skeleton,
 ): void {
+  for (const w of state.alone) {
+    const weight = windowWeight(w, frame);
+    if (weight <= 0) continue;
+    emptyHanded(targets, state, w, limbs, setup, source, frame, weight, skeleton);
+    return;
+  }
   for (const carry of state.carries) {
     const { lift, place } = carry;
     const over = place ? place.over : carry.last + 1;
@@ -328,7 +344,12 @@ function boxTargets(
       const hx = v[own] + reach * (x - v[own]);
       const hy = v[own + 1] + reach * (centre[1] - v[own + 1]);
       const hz = v[own + 2] + reach * (z - v[own + 2]);
+      // A hand that writes has left the box.
+      const away = state.writing[side];
+      const wrote = targets.place.slice(3 * side, 3 * side + 3);
       joint(targets, side, limbs, hx, hy, hz, 1, skeleton);
+      if (away > 0)
+        for (let k = 0; k < 3; k++) targets.place[own + k] += away * (wrote[k] - targets.place[own + k]);
     }
     return;
   }
@@ -351,4 +372,41 @@ export function inkOf(state: HandState): InkStroke[] {
   return state.ink
     .filter((s) => s.times.length > 1)
     .map((s) => ({ task: s.task, times: Float32Array.from(s.times), points: Float32Array.from(s.points) }));
+}
+
+/** Both hands to where a box's sides would be, from the capture's own hands. */
+function emptyHanded(
+  targets: HandTargets,
+  state: HandState,
+  w: TaskWindow,
+  limbs: LimbWorkspace,
+  setup: SegmentSetup,
+  source: number,
+  frame: number,
+  weight: number,
+  skeleton: Skeleton,
+): void {
+  const g = 3 * state.windows.indexOf(w);
+  tip(v, 0, limbs.positions, limbs.world, 0, skeleton);
+  tip(v, 3, limbs.positions, limbs.world, 1, skeleton);
+  const own = v.slice(0, 6);
+  const body = [0, 1, 2].map((k) => (own[k] + own[3 + k]) / 2);
+  if (frame <= w.end && tipsByTask(v, w, setup, source)) {
+    for (let k = 0; k < 3; k++) state.gaps[g + k] = (v[k] + v[3 + k]) / 2 - body[k];
+    correctAtContact(state, w, g / 3, setup);
+    for (let k = 0; k < 3; k++) state.gaps[g + k] -= state.penStart[g + k];
+  }
+  for (let side = 0; side < 2; side++) {
+    const o = 3 * side;
+    joint(
+      targets,
+      side,
+      limbs,
+      own[o] + weight * state.gaps[g],
+      own[o + 1] + weight * state.gaps[g + 1],
+      own[o + 2] + weight * state.gaps[g + 2],
+      1,
+      skeleton,
+    );
+  }
 }

@@ -23,22 +23,49 @@ export function leadToSeats(
   track: BodyTrack,
   setups: readonly SegmentSetup[],
   windows: readonly TaskWindow[],
+  skeleton: Skeleton,
 ): void {
   for (const w of windows) {
     if (w.task.category !== "sit") continue;
     const gap = new Float64Array(3);
+    const rest = seatGap(track, setups, w, skeleton);
     for (let f = Math.max(0, w.from); f < Math.min(track.frames, w.over); f++) {
       const setup = setups[track.segmentOf[f]];
       if (setup.segment.clip === w.clip && f <= w.end) {
         const clip = setup.source.clip;
         const i = Math.max(0, Math.min(clip.frames - 1, Math.round(track.sourceFrame[f])));
         mapByTask(v, 0, w, clip.root[3 * i], clip.root[3 * i + 1], clip.root[3 * i + 2]);
-        for (let k = 0; k < 3; k++) gap[k] = v[k] - track.root[3 * f + k];
+        for (let k = 0; k < 3; k++) gap[k] = v[k] + rest[k] - track.root[3 * f + k];
       }
       const weight = windowWeight(w, f);
       for (let k = 0; k < 3; k++) track.root[3 * f + k] += weight * gap[k];
     }
   }
+}
+
+/** Middle of the 60 to 120 mm under the hip joints at which a seat is met, metres at 1.75 m. */
+const UNDER_HIPS = 0.09;
+
+/** What is left between the seat and the point that meets it at contact, once the capture's hips are laid there. */
+function seatGap(
+  track: BodyTrack,
+  setups: readonly SegmentSetup[],
+  w: TaskWindow,
+  skeleton: Skeleton,
+): Float64Array {
+  const out = new Float64Array(3);
+  const f = Math.max(0, Math.min(track.frames - 1, w.contact));
+  const setup = setups[track.segmentOf[f]];
+  if (setup.segment.clip !== w.clip) return out;
+  const clip = setup.source.clip;
+  const i = Math.max(0, Math.min(clip.frames - 1, Math.round(track.sourceFrame[f])));
+  mapByTask(v, 0, w, clip.root[3 * i], clip.root[3 * i + 1], clip.root[3 * i + 2]);
+  const under = UNDER_HIPS * (skeleton.height / 1.75) - skeleton.offsets[3 * J.leftUpperLeg + 1];
+  quatRotate(v, 3, track.rotations, Q * f, 0, -under, 0);
+  out[0] = w.target.x - v[0] - v[3];
+  out[1] = w.target.y - v[1] - v[4];
+  out[2] = w.target.z - v[2] - v[5];
+  return out;
 }
 
 /** How far each frame's hips must come down for both legs to reach, then softened over neighbours. Mutates `track.root`. */

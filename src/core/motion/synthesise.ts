@@ -53,7 +53,7 @@ export function beginSynthesis(
   const track = createBodyTrack(frames);
   runBodyPass(track, setups, skeleton, createBodyState());
   const windows = taskWindows(library, plan, new Map(goals.map((g) => [g.id, g])));
-  leadToSeats(track, setups, windows);
+  leadToSeats(track, setups, windows, skeleton);
   reachWithLegs(track, skeleton);
   return {
     frames,

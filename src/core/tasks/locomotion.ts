@@ -121,7 +121,7 @@ export function stepsToStance(distance: number, last: Foot | null, stance: Foot,
     const ends = last === null ? stance : k % 2 === 0 ? last : otherFoot(last);
     if (ends !== stance) continue;
     // From standing either foot may go first; without a step the mismatch is taken up by the entry itself.
-    const cost = k === 0 ? (distance / length) * 1.6 : Math.abs(distance / k / length - 0.92) * 2 + 0.22 * k;
+    const cost = k === 0 ? (distance / length) * 2.6 : Math.abs(distance / k / length - 0.92) * 2 + 0.22 * k;
     if (cost < bestCost) {
       bestCost = cost;
       best = k;

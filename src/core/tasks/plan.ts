@@ -26,6 +26,7 @@ import {
   walksOf,
 } from "./locomotion.ts";
 import { createPhaseWorkspace, optimisePhase, type PhaseGoal } from "./optimise-phase.ts";
+import { pivotEnd, placePivots } from "./pivots.ts";
 import type { OptimisationTrace, Plan } from "./plan-types.ts";
 import { findRoute, type GroundPoint, type Obstacle } from "./route.ts";
 import { tidyFootsteps } from "./tidy.ts";
@@ -468,8 +469,45 @@ function planEntry(context: Context, entry: Entry, index: number): void {
     { phase: "enter", start: stance, goal: entry.task.frame, goalYaw: laid[n - 1].yaw, goals },
     index,
   );
+  shareWhatIsLeft(context, steps, laid, entry);
   tidyFootsteps(context.skeleton, context.feet, steps, context.obstacles);
   for (const s of steps) lay(context, s, index, null);
+}
+
+/** How far from its place at the task the body may be left by the optimiser, metres, before the steps share the rest. */
+const LEFT_OVER = 0.05;
+
+/**
+ * Eq. 15 draws the last footsteps to their places but trades them against the template; a hand or a seat needs the body
+ * where it was. What is left beyond a few centimetres is shared over the steps, growing to the last.
+ */
+function shareWhatIsLeft(
+  context: Context,
+  steps: DraftStep[],
+  laid: readonly DraftStep[],
+  entry: Entry,
+): void {
+  const end: Feet = { ...context.feet };
+  const wanted: Feet = { ...entry.stance };
+  for (const s of steps) end[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
+  for (const s of laid) wanted[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
+  const a = midPose(end.left, end.right);
+  const b = midPose(wanted.left, wanted.right);
+  const d = groundDistance(a, b);
+  const turn = wrapAngle(b.yaw - a.yaw);
+  const part = d > LEFT_OVER ? 1 - LEFT_OVER / d : 0;
+  if (part === 0 && Math.abs(turn) < 0.08) return;
+  const free = steps.filter((s) => !pivotEnd(s.category)).length;
+  let k = 0;
+  for (const s of steps) {
+    if (!pivotEnd(s.category)) k++;
+    // Both feet stand in the end: the last two free steps carry all of it.
+    const f = Math.min(1, k / Math.max(1, free - 1));
+    s.x += f * part * (b.x - a.x);
+    s.z += f * part * (b.z - a.z);
+    s.yaw = wrapAngle(s.yaw + f * turn);
+  }
+  placePivots(context.skeleton.foot, context.feet, steps, new Uint8Array(steps.length));
 }
 
 /** Runs the optimiser on a phase and notes what it did. */

@@ -56,18 +56,13 @@ export function standFor(goal: Goal, scale: number): GroundPose {
   }
 }
 
-let previous: WeakMap<Walker, Goal> = new WeakMap();
+const previous: WeakMap<Walker, Goal> = new WeakMap();
 
 /** Goes to a task and does it. */
 export function perform(w: Walker, goal: Goal, next: Goal | null): void {
   go(w, goal, next);
   act(w, goal, next);
   previous.set(w, goal);
-}
-
-/** Only for tests: forgets what walkers did. */
-export function forget(): void {
-  previous = new WeakMap();
 }
 
 function target(goal: Goal): [number, number, number] {

@@ -1,0 +1,141 @@
+import AxeBuilder from "@axe-core/playwright";
+import { expect, type Page, test } from "@playwright/test";
+
+/** A view from the front of the log: what happened, in order. */
+type Entry = { what: string; id: number };
+
+const log = (page: Page): Promise<Entry[]> => page.evaluate(() => [...(window.stepwright?.log() ?? [])]);
+const tasks = (page: Page) =>
+  page.evaluate(
+    () =>
+      window.stepwright?.state().scene.tasks.map((t) => ({ id: t.id, position: t.position, yaw: t.yaw })) ??
+      [],
+  );
+const finished = (page: Page, id: number) =>
+  page.waitForFunction((n) => window.stepwright?.log().some((e) => e.what === "finished" && e.id >= n), id, {
+    timeout: 120_000,
+  });
+
+async function open(page: Page): Promise<void> {
+  const errors: string[] = [];
+  page.on("pageerror", (e) => errors.push(e.message));
+  await page.goto("/");
+  await finished(page, 1);
+  await page.getByRole("button", { name: "Pause" }).click();
+  expect(errors).toEqual([]);
+}
+
+test("opens to a character that moves, with footsteps planned", async ({ page }) => {
+  await open(page);
+  const state = await page.evaluate(() => {
+    const s = window.stepwright?.state();
+    return { steps: s?.plan?.steps.length ?? 0, time: s?.time ?? 0, skate: s?.quality?.skate ?? 99 };
+  });
+  expect(state.steps).toBeGreaterThan(20);
+  expect(state.time).toBeGreaterThan(0);
+  expect(state.skate).toBeLessThan(4);
+  await page.screenshot({ path: "artefacts/editor-light.png" });
+});
+
+test("dragging the board with the mouse: footprints first, older requests dropped, feet on the ground stay", async ({
+  page,
+}) => {
+  await open(page);
+  await page.evaluate(() => window.stepwright?.seek(2.2));
+  const before = await page.evaluate(() => window.stepwright?.feetAt(Math.floor(2.2 * 60)));
+  const marker = page.locator('[data-marker="write"]');
+  const box = (await marker.boundingBox())!;
+  const from = (await tasks(page)).find((t) => t.id === "write")!;
+  const asked = Math.max(...(await log(page)).map((e) => e.id));
+  await page.mouse.move(box.x + 22, box.y + 22);
+  await page.mouse.down();
+  for (let k = 1; k <= 8; k++) await page.mouse.move(box.x + 22 - 26 * k, box.y + 22 + 4 * k);
+  await page.mouse.up();
+  const to = (await tasks(page)).find((t) => t.id === "write")!;
+  expect(Math.hypot(to.position[0] - from.position[0], to.position[2] - from.position[2])).toBeGreaterThan(
+    1.2,
+  );
+  const newest = Math.max(...(await log(page)).filter((e) => e.what === "asked").map((e) => e.id));
+  expect(newest).toBeGreaterThan(asked);
+  await finished(page, newest);
+  const entries = (await log(page)).filter((e) => e.id > asked);
+  const at = (what: string, id: number) => entries.findIndex((e) => e.what === what && e.id === id);
+  // The newest answer is drawn before its motion comes; whatever was overtaken never finishes.
+  expect(at("drawn", newest)).toBeGreaterThan(at("planned", newest));
+  expect(at("motion", newest)).toBeGreaterThan(at("drawn", newest));
+  const dropped = entries.filter((e) => e.what === "dropped" || e.what === "overtaken").map((e) => e.id);
+  const ended = entries.filter((e) => e.what === "finished").map((e) => e.id);
+  for (const id of dropped) expect(ended).not.toContain(id);
+  const after = await page.evaluate(() => window.stepwright?.feetAt(Math.floor(2.2 * 60)));
+  expect(after?.contacts).toBe(before?.contacts);
+  for (let i = 0; i < 3; i++)
+    expect(Math.abs((after?.root[i] ?? 0) - (before?.root[i] ?? 9))).toBeLessThan(0.01);
+  // The board came along, and the task is done at its new place.
+  const done = await page.evaluate(() => window.stepwright?.state().quality?.reach ?? 99);
+  expect(done).toBeLessThan(60);
+  await page.screenshot({ path: "artefacts/board-dragged.png" });
+});
+
+test("the same with the keyboard, undo and redo", async ({ page }) => {
+  await open(page);
+  const start = (await tasks(page)).find((t) => t.id === "write")!;
+  await page.locator('[data-marker="write"]').focus();
+  for (let k = 0; k < 8; k++) await page.keyboard.press("Shift+ArrowRight");
+  await page.keyboard.press("r");
+  const moved = (await tasks(page)).find((t) => t.id === "write")!;
+  expect(moved.position[0]).toBeCloseTo(start.position[0] - 2, 5);
+  expect(moved.yaw).toBeCloseTo(Math.PI / 12, 5);
+  const newest = Math.max(...(await log(page)).filter((e) => e.what === "asked").map((e) => e.id));
+  await finished(page, newest);
+  for (let k = 0; k < 9; k++) await page.keyboard.press("Control+z");
+  expect((await tasks(page)).find((t) => t.id === "write")).toEqual(start);
+  for (let k = 0; k < 9; k++) await page.keyboard.press("Control+y");
+  expect((await tasks(page)).find((t) => t.id === "write")).toEqual(moved);
+});
+
+test("tasks are added, duplicated and deleted; a reload brings them back", async ({ page }) => {
+  await open(page);
+  await page.getByRole("button", { name: "Add: Turn around" }).click();
+  await page.mouse.click(520, 380);
+  expect((await tasks(page)).map((t) => t.id)).toContain("turn");
+  await page.getByRole("button", { name: "Duplicate" }).click();
+  expect((await tasks(page)).map((t) => t.id)).toContain("turn-2");
+  await page.getByRole("button", { name: "Delete" }).click();
+  expect((await tasks(page)).map((t) => t.id)).not.toContain("turn-2");
+  await page.waitForFunction(
+    () => window.stepwright?.state().saved === "saved" && window.stepwright.state().scene.tasks.length === 5,
+  );
+  await page.reload();
+  await page.waitForFunction(() => (window.stepwright?.state().scene.tasks.length ?? 0) > 0);
+  expect((await tasks(page)).map((t) => t.id)).toEqual(["write", "lift", "place", "sit", "turn"]);
+});
+
+test("a planner that dies is replaced and nothing is lost", async ({ page }) => {
+  await open(page);
+  const scene = await tasks(page);
+  await page.evaluate(() => window.stepwright?.restartPlanner());
+  await expect(page.getByText("The planner restarted. Nothing was lost.")).toBeVisible();
+  await page.waitForFunction(
+    () => window.stepwright!.log().filter((e) => e.what === "finished").length >= 2,
+    null,
+    { timeout: 60_000 },
+  );
+  expect(await tasks(page)).toEqual(scene);
+});
+
+test("no serious accessibility violation", async ({ page }) => {
+  await open(page);
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(
+    violations
+      .filter((v) => v.impact === "serious" || v.impact === "critical")
+      .map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(" ")).join(", ")}`),
+  ).toEqual([]);
+});
+
+test("dark theme", async ({ page }) => {
+  await page.emulateMedia({ colorScheme: "dark" });
+  await open(page);
+  await page.screenshot({ path: "artefacts/editor-dark.png" });
+  expect(await page.evaluate(() => document.documentElement.dataset.theme)).toBe("dark");
+});
