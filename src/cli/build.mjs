@@ -30,6 +30,7 @@ export async function built(entry, name, folders) {
       configFile: false,
       logLevel: "error",
       publicDir: false,
+      ssr: { noExternal: ["fmin"] },
       build: {
         ssr: join(root, entry),
         outDir: join(root, "dist", "cli"),

@@ -86,7 +86,8 @@ export class Markers {
     this.draw();
   }
 
-  private begin(e: PointerEvent, t: SceneTask, kind: Drag["kind"]): void {
+  private begin(e: PointerEvent, drawn: SceneTask, kind: Drag["kind"]): void {
+    const t = this.editor.store.getState().scene.tasks.find((x) => x.id === drawn.id) ?? drawn;
     if (e.button !== 0 || this.drag) return;
     e.stopPropagation();
     e.preventDefault();
@@ -147,7 +148,9 @@ export class Markers {
     }
   }
 
-  private key(e: KeyboardEvent, t: SceneTask): void {
+  private key(e: KeyboardEvent, drawn: SceneTask): void {
+    // What was drawn may be older than the last key.
+    const t = this.editor.store.getState().scene.tasks.find((x) => x.id === drawn.id) ?? drawn;
     const step = e.altKey ? 0.01 : e.shiftKey ? 0.25 : 0.05;
     const away: Record<string, [number, number]> = {
       ArrowUp: [0, 1],

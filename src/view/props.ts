@@ -175,8 +175,8 @@ function drawing(w: number, h: number): CanvasTexture {
     ] as [number, number][])
       stroke("#b5483a", [[0.755, 0.7], corner]);
     g.fillStyle = blue;
-    g.font = `italic ${Math.round(0.1 * H)}px Georgia, serif`;
-    g.fillText("q = w\u2081p\u2081 + w\u2082p\u2082 + w\u2083p\u2083", 0.47 * 1024, 0.26 * H);
+    g.font = `italic ${Math.round(0.085 * H)}px Georgia, serif`;
+    g.fillText("q = w\u2081p\u2081 + w\u2082p\u2082 + w\u2083p\u2083", 0.45 * 1024, 0.24 * H);
     // Footprints.
     g.strokeStyle = "#2f6f5a";
     for (let i = 0; i < 6; i++) {

@@ -82,26 +82,36 @@ test("the same with the keyboard, undo and redo", async ({ page }) => {
   await page.locator('[data-marker="write"]').focus();
   for (let k = 0; k < 8; k++) await page.keyboard.press("Shift+ArrowRight");
   await page.keyboard.press("r");
-  const moved = (await tasks(page)).find((t) => t.id === "write")!;
+  const write = async () => (await tasks(page)).find((t) => t.id === "write")!;
+  await expect.poll(async () => (await write()).yaw).toBeCloseTo(Math.PI / 12, 5);
+  const moved = await write();
   expect(moved.position[0]).toBeCloseTo(start.position[0] - 2, 5);
   expect(moved.yaw).toBeCloseTo(Math.PI / 12, 5);
   const newest = Math.max(...(await log(page)).filter((e) => e.what === "asked").map((e) => e.id));
   await finished(page, newest);
   for (let k = 0; k < 9; k++) await page.keyboard.press("Control+z");
-  expect((await tasks(page)).find((t) => t.id === "write")).toEqual(start);
+  await expect.poll(write).toEqual(start);
   for (let k = 0; k < 9; k++) await page.keyboard.press("Control+y");
-  expect((await tasks(page)).find((t) => t.id === "write")).toEqual(moved);
+  await expect.poll(write).toEqual(moved);
 });
 
 test("tasks are added, duplicated and deleted; a reload brings them back", async ({ page }) => {
   await open(page);
   await page.getByRole("button", { name: "Add: Turn around" }).click();
-  await page.mouse.click(520, 380);
-  expect((await tasks(page)).map((t) => t.id)).toContain("turn");
-  await page.getByRole("button", { name: "Duplicate" }).click();
-  expect((await tasks(page)).map((t) => t.id)).toContain("turn-2");
-  await page.getByRole("button", { name: "Delete" }).click();
-  expect((await tasks(page)).map((t) => t.id)).not.toContain("turn-2");
+  // A place on the floor that nothing lies over.
+  const spot = await page.evaluate(() => {
+    for (let y = 320; y < 520; y += 14)
+      for (let x = 200; x < 700; x += 14)
+        if (document.elementFromPoint(x, y)?.id === "stage") return { x, y };
+    return { x: 0, y: 0 };
+  });
+  await page.mouse.click(spot.x, spot.y);
+  const ids = async () => (await tasks(page)).map((t) => t.id);
+  await expect.poll(ids).toContain("turn");
+  await page.getByRole("button", { name: "Duplicate", exact: true }).click();
+  await expect.poll(ids).toContain("turn-2");
+  await page.getByRole("button", { name: "Delete", exact: true }).click();
+  await expect.poll(ids).not.toContain("turn-2");
   await page.waitForFunction(
     () => window.stepwright?.state().saved === "saved" && window.stepwright.state().scene.tasks.length === 5,
   );
