@@ -28,7 +28,7 @@ import { contactsOfPitch, pivotPlace } from "./sole.ts";
 const Q = JOINT_COUNT * 4;
 const DT = 1 / CLIP_RATE;
 /** Time in which a join dies out: joints and root; feet's pitch. Seconds. */
-const JOIN_TIME = 0.42;
+const JOIN_TIME = 0.6;
 const PITCH_TIME = 0.16;
 /** A foot's pitch in a plant, radians. */
 const LEAST_PITCH = -1.25;
