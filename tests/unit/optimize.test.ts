@@ -91,7 +91,16 @@ describe("BFGS", () => {
   it("not converging is a status", () => {
     const x = Float64Array.of(5);
     expect(
-      minimiseBfgs((at, g) => ((g[0] = 1), at[0]), x, 1, createBfgsWorkspace(1), { maxIterations: 3 }).status,
+      minimiseBfgs(
+        (at, g) => {
+          g[0] = 1;
+          return at[0];
+        },
+        x,
+        1,
+        createBfgsWorkspace(1),
+        { maxIterations: 3 },
+      ).status,
     ).not.toBe("converged");
   });
 });
@@ -116,7 +125,8 @@ describe.skipIf(!hasShared)("reference instances", () => {
       const x = Float64Array.from(x0);
       expect(Math.abs(evaluateFootsteps(problem, x, null, null, null) - ref.f0)).toBeLessThan(1e-9);
       const { f } = optimizeFootsteps(problem, x, workspace);
-      const h = (hits[problem.n] ??= [0, 0]);
+      hits[problem.n] ??= [0, 0];
+      const h = hits[problem.n];
       h[1]++;
       if (f <= ref.f + 1e-6 || f <= ref.best + 1e-6) h[0]++;
     }

@@ -43,8 +43,8 @@ export function leadToSeats(
   }
 }
 
-/** Middle of the 60 to 120 mm under the hip joints at which a seat is met, metres at 1.75 m. */
-const UNDER_HIPS = 0.09;
+/** Within the 60 to 120 mm under the hip joints at which a seat is met, metres at 1.75 m. */
+const UNDER_HIPS = 0.098;
 
 /** What is left between the seat and the point that meets it at contact, once the capture's hips are laid there. */
 function seatGap(

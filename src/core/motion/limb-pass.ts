@@ -57,7 +57,8 @@ export function closeLegs(w: LimbWorkspace, track: BodyTrack, frame: number, ske
     const upper = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
     const foot = upper + 2;
     const o = (2 * frame + side) * FOOT_STRIDE;
-    // The knee points as the pose's does; straight, the way between the foot's and the hips' forward.
+    // The knee points as the pose's does, drawn a little to the foot's and the hips' forward. (Leaning on these two more
+    // was tried: where a foot is left far behind a turn they cancel, and the knee jumps.)
     quatRotate(w.hints, 0, track.feet, o + 3, 0, 0, 1);
     quatRotate(w.hints, 3, w.world, 0, 0, 0, 1);
     quatRotate(w.hints, 6, w.world, 4 * upper, 0, 0, 1);
