@@ -31,8 +31,24 @@ export function createGroundMap(
   const source1 = midPose(...sourceAfter);
   const plan0 = midPose(...planBefore);
   const plan1 = midPose(...planAfter);
-  const turn0 = wrapAngle(plan0.yaw - source0.yaw);
-  return { source0, source1, plan0, plan1, turn0, turn1: turn0 + wrapAngle(plan1.yaw - source1.yaw - turn0) };
+  const turn0 = meanTurn(sourceBefore, planBefore);
+  return {
+    source0,
+    source1,
+    plan0,
+    plan1,
+    turn0,
+    turn1: turn0 + wrapAngle(meanTurn(sourceAfter, planAfter) - turn0),
+  };
+}
+
+/**
+ * Mean of both feet's turns from capture to plan. (The difference of the mean yaws would flip by half a turn where the feet
+ * point nearly opposite ways, as they do when turning about.)
+ */
+function meanTurn(source: [GroundPose, GroundPose], plan: [GroundPose, GroundPose]): number {
+  const left = wrapAngle(plan[0].yaw - source[0].yaw);
+  return left + wrapAngle(plan[1].yaw - source[1].yaw - left) / 2;
 }
 
 /** The map's turn at fraction w. */

@@ -13,7 +13,7 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { BodyTrack } from "./body-pass.ts";
 import type { HandTargets, LimbWorkspace } from "./limb-pass.ts";
 import type { SegmentSetup } from "./segment-setup.ts";
-import { mapByTask, type TaskWindow, windowWeight } from "./task-windows.ts";
+import { mapByTask, shows, type TaskWindow, windowWeight } from "./task-windows.ts";
 import type { BoxTrack, InkStroke } from "./types.ts";
 
 /** A box from its grasp to where it is put down. */
@@ -110,7 +110,7 @@ function tip(
 
 /** The capture's hand tips laid on the plan's task: left at out[0..2], right at out[3..5]. False where the capture is another. */
 function tipsByTask(out: Float64Array, w: TaskWindow, setup: SegmentSetup, source: number): boolean {
-  if (setup.segment.clip !== w.clip) return false;
+  if (!shows(w, setup.segment.clip, source)) return false;
   const { clip } = setup.source;
   const i = Math.max(0, Math.min(clip.frames - 1, Math.round(source)));
   for (let k = 0; k < 3; k++) root[k] = clip.root[3 * i + k];

@@ -8,7 +8,7 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { BodyTrack } from "./body-pass.ts";
 import { FOOT_STRIDE } from "./foot-pose.ts";
 import type { SegmentSetup } from "./segment-setup.ts";
-import { mapByTask, type TaskWindow, windowWeight } from "./task-windows.ts";
+import { mapByTask, shows, type TaskWindow, windowWeight } from "./task-windows.ts";
 
 const Q = JOINT_COUNT * 4;
 /** Least knee flexion kept in a supporting leg, radians: a fully straight knee pops. */
@@ -31,7 +31,7 @@ export function leadToSeats(
     const rest = seatGap(track, setups, w, skeleton);
     for (let f = Math.max(0, w.from); f < Math.min(track.frames, w.over); f++) {
       const setup = setups[track.segmentOf[f]];
-      if (setup.segment.clip === w.clip && f <= w.end) {
+      if (shows(w, setup.segment.clip, track.sourceFrame[f]) && f <= w.end) {
         const clip = setup.source.clip;
         const i = Math.max(0, Math.min(clip.frames - 1, Math.round(track.sourceFrame[f])));
         mapByTask(v, 0, w, clip.root[3 * i], clip.root[3 * i + 1], clip.root[3 * i + 2]);

@@ -27,6 +27,9 @@ export interface TaskWindow {
   over: number;
   /** Source frame of contact. */
   sourceContact: number;
+  /** Source frames that show the task: other parts of the same capture may be played near by. */
+  sourceFrom: number;
+  sourceEnd: number;
 }
 
 /** Seconds of leading before contact and of letting go after, by category. */
@@ -57,9 +60,16 @@ export function taskWindows(
       end,
       over: end + Math.round(RELEASE[task.category] * CLIP_RATE),
       sourceContact: Math.round(shown.contact * CLIP_RATE),
+      sourceFrom: Math.round((shown.contact - 2) * CLIP_RATE),
+      sourceEnd: Math.round((shown.end + 0.2) * CLIP_RATE),
     });
   });
   return out;
+}
+
+/** Whether a segment's source frame shows the window's task. */
+export function shows(w: TaskWindow, clip: number, source: number): boolean {
+  return clip === w.clip && source >= w.sourceFrom && source <= w.sourceEnd;
 }
 
 /** How firmly a window holds at a frame: 0 outside, 1 from contact to end. */
