@@ -24,7 +24,7 @@ type PlanRequest = Extract<PlannerRequest, { type: "plan" }>;
 
 let base: Library | null = null;
 let character: { key: string; library: Library; cache: SwingCache } | null = null;
-let playing: { plan: Plan; goals: TaskGoal[]; key: string } | null = null;
+let playing: { plan: Plan; goals: TaskGoal[]; key: string; shift: Float64Array | null } | null = null;
 let newest: PlanRequest | null = null;
 let busy = false;
 
@@ -72,7 +72,8 @@ async function answer(request: PlanRequest): Promise<void> {
       : null;
   const plan = planScene(scene, library, skeleton, { playing: earlier, trace: true });
   const planMs = performance.now() - begun;
-  playing = { plan, goals, key };
+  const shown = playing?.shift ?? null;
+  playing = { plan, goals, key, shift: shown };
   const frames = Math.max(1, Math.round(plan.duration * 60));
   post({ type: "planned", id: request.id, plan, planMs, frames });
   await pause();
@@ -81,7 +82,9 @@ async function answer(request: PlanRequest): Promise<void> {
     return;
   }
   const started = performance.now();
-  const synthesis = beginSynthesis(library, skeleton, plan, goals, cache);
+  const kept = earlier && shown ? { shift: shown, until: Math.round(earlier.now * 60) } : null;
+  const synthesis = beginSynthesis(library, skeleton, plan, goals, cache, kept);
+  playing.shift = synthesis.track.shift;
   const chunks: MotionChunk[] = [];
   for (let first = 0; first < synthesis.frames; first += SLICE) {
     const chunk = synthesiseChunk(synthesis, first, SLICE);

@@ -46,6 +46,8 @@ export interface BodyTrack {
   /** Index of the segment of each frame, and source frame shown. */
   segmentOf: Int32Array;
   sourceFrame: Float64Array;
+  /** What balance added to the root, x, z a frame, metres. */
+  shift: Float64Array;
 }
 
 export function createBodyTrack(frames: number): BodyTrack {
@@ -57,6 +59,7 @@ export function createBodyTrack(frames: number): BodyTrack {
     contacts: new Uint8Array(frames),
     segmentOf: new Int32Array(frames),
     sourceFrame: new Float64Array(frames),
+    shift: new Float64Array(2 * frames),
   };
 }
 

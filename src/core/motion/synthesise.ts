@@ -11,6 +11,7 @@ import type { Step } from "../steps/types.ts";
 import type { Plan } from "../tasks/plan-types.ts";
 import type { TaskGoal } from "../tasks/transition.ts";
 import type { Library } from "../templates/types.ts";
+import { balanceBody, type KeptBalance } from "./balance-pass.ts";
 import { type BodyTrack, createBodyState, createBodyTrack, runBodyPass } from "./body-pass.ts";
 import { createHandState, type HandState, handTargets, inkOf } from "./hand-pass.ts";
 import { leadToSeats, reachWithLegs } from "./hips-pass.ts";
@@ -40,13 +41,18 @@ export interface Synthesis {
 /** Swing paths of captures' steps, kept over plans. */
 export type SwingCache = Map<Step, { travel: Float64Array; yaw: Float64Array }>;
 
-/** First pass: where root and feet are in every frame of the plan. */
+/**
+ * First pass: where root and feet are in every frame of the plan.
+ *
+ * @param kept the balance of the motion that is playing, so that a re-plan goes on from it without a seam.
+ */
 export function beginSynthesis(
   library: Library,
   skeleton: Skeleton,
   plan: Plan,
   goals: readonly TaskGoal[],
   cache: SwingCache,
+  kept: KeptBalance | null = null,
 ): Synthesis {
   const frames = Math.max(1, Math.round(plan.duration * CLIP_RATE));
   const setups = setUpSegments(library, plan, cache);
@@ -54,6 +60,8 @@ export function beginSynthesis(
   runBodyPass(track, setups, skeleton, createBodyState());
   const windows = taskWindows(library, plan, new Map(goals.map((g) => [g.id, g])));
   leadToSeats(track, setups, windows, skeleton);
+  const limbs = createLimbWorkspace();
+  balanceBody(track, windows, skeleton, limbs, kept);
   reachWithLegs(track, skeleton);
   return {
     frames,
@@ -61,7 +69,7 @@ export function beginSynthesis(
     track,
     setups,
     hands: createHandState(windows, frames),
-    limbs: createLimbWorkspace(),
+    limbs,
     targets: { weight: [0, 0], place: new Float64Array(6) },
   };
 }
