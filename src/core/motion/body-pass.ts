@@ -29,10 +29,14 @@ const Q = JOINT_COUNT * 4;
 const DT = 1 / CLIP_RATE;
 /** Time in which a join dies out: joints and root; feet's pitch. Seconds. */
 const JOIN_TIME = 0.6;
-const PITCH_TIME = 0.16;
+const PITCH_TIME = 0.2;
 /** A foot's pitch in a plant, radians. */
 const LEAST_PITCH = -1.25;
 const MOST_PITCH = 0.6;
+/** A planted foot this near to flat lies flat: captures' feet rest a degree off, and a footstep is where the foot is flat. Radians. */
+const FLAT = (1.2 * Math.PI) / 180;
+/** Part of a pivot on the ball after which its heel comes down: a pivot is a footstep of its own, so the foot rests at its end. */
+const SETTLE = 0.5;
 
 export interface BodyTrack {
   frames: number;
@@ -87,6 +91,8 @@ export interface BodyState {
   liftGap: Float64Array;
   landGap: Float64Array;
   swinging: [boolean, boolean];
+  /** A foot that has just pivoted on its ball and now lies flat. */
+  settled: [boolean, boolean];
   lastPitch: [number, number];
   lastPitchSpeed: [number, number];
 }
@@ -99,6 +105,7 @@ export function createBodyState(): BodyState {
     liftGap: new Float64Array(14),
     landGap: new Float64Array(14),
     swinging: [false, false],
+    settled: [false, false],
     lastPitch: [0, 0],
     lastPitchSpeed: [0, 0],
   };
@@ -218,7 +225,7 @@ function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): 
   }
   for (let f = 0; f < 2; f++) {
     const inertia = state.pitchInertia[f];
-    const clamp = (p: number) => Math.max(LEAST_PITCH, Math.min(MOST_PITCH, p));
+    const clamp = restingPitch;
     inertia.value[0] = clamp(state.lastPitch[f] + state.lastPitchSpeed[f]) - clamp(here.pitch[f]);
     inertia.speed[0] = (state.lastPitchSpeed[f] - (clamp(next.pitch[f]) - clamp(here.pitch[f]))) / DT;
     // A speed that would carry the foot far past its place is not handed on.
@@ -269,7 +276,14 @@ function writeFeet(
     const moving = step !== null && source >= step.start && source < step.end;
     const landed = step !== null && source >= step.end;
     const pi = state.pitchInertia[f];
-    const raw = Math.max(LEAST_PITCH, Math.min(MOST_PITCH, here.pitch[f]));
+    const raw = restingPitch(here.pitch[f]);
+    if (state.settled[f] && !moving) {
+      state.settled[f] = false;
+      pi.value[0] = -raw;
+      pi.speed[0] = 0;
+      pi.age = 0;
+      pi.length = PITCH_TIME;
+    }
     const pitch = Math.max(
       LEAST_PITCH,
       Math.min(MOST_PITCH, raw + decay(pi.value[0], pi.speed[0], pi.age, pi.length)),
@@ -298,10 +312,16 @@ function writeFeet(
       const from = setup.planBefore[f];
       const turn = wrapAngle(setup.planAfter[f].yaw - from.yaw);
       const on = pivotPlace(skeleton.foot, from, from.yaw + turn * done, setup.pivot);
-      plantedFoot(track.feet, o, skeleton.foot, on, setup.heightBefore[f], pitch);
+      let bears = pitch;
+      if (setup.pivot === "ball") {
+        const u = t / (step.end - step.start);
+        bears *= u > SETTLE ? 1 - smooth((u - SETTLE) / (1 - SETTLE)) : 1;
+        state.settled[f] = true;
+      }
+      plantedFoot(track.feet, o, skeleton.foot, on, setup.heightBefore[f], bears);
       contacts |= (setup.pivot === "heel" ? 1 : 2) << (2 * f);
-      state.lastPitchSpeed[f] = pitch - state.lastPitch[f];
-      state.lastPitch[f] = pitch;
+      state.lastPitchSpeed[f] = bears - state.lastPitch[f];
+      state.lastPitch[f] = bears;
       continue;
     }
     if (!state.swinging[f]) {
@@ -322,6 +342,13 @@ function writeFeet(
   track.contacts[frame] = contacts;
 }
 
+/** Pitch of a foot that bears: within limits, and flat where the capture's is nearly. */
+function restingPitch(pitch: number): number {
+  const p = Math.max(LEAST_PITCH, Math.min(MOST_PITCH, pitch));
+  const over = Math.abs(p) / FLAT - 1;
+  return over >= 2 ? p : over <= 0 ? 0 : p * smooth(over / 2);
+}
+
 const smooth = (u: number): number => u * u * u * (u * (6 * u - 15) + 10);
 
 /** The gaps between the warped capture and the closed form at both ends of a swing. */
@@ -337,7 +364,7 @@ function startSwing(
   plantedFoot(row, 0, skeleton.foot, setup.planBefore[f], setup.heightBefore[f], pitch);
   gap(state.liftGap, 7 * f, setup, f, step.start, row);
   mapBody(next, setup, step.end);
-  const p = Math.max(LEAST_PITCH, Math.min(MOST_PITCH, next.pitch[f]));
+  const p = restingPitch(next.pitch[f]);
   plantedFoot(row, 0, skeleton.foot, setup.planAfter[f], setup.heightAfter[f], p);
   gap(state.landGap, 7 * f, setup, f, step.end, row);
 }

@@ -1,7 +1,7 @@
 /**
  * Hips between the passes: led onto the seat, and lowered softly where a leg would not reach its foot.
  */
-import { softEnvelope } from "../math/interpolate.ts";
+import { minimumJerk, softEnvelope } from "../math/interpolate.ts";
 import { quatRotate } from "../math/quaternion.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
@@ -11,8 +11,17 @@ import type { SegmentSetup } from "./segment-setup.ts";
 import { mapByTask, shows, type TaskWindow, windowWeight } from "./task-windows.ts";
 
 const Q = JOINT_COUNT * 4;
-/** Least knee flexion kept in a supporting leg, radians: a fully straight knee pops. */
-const LEAST_KNEE = (3 * Math.PI) / 180;
+/**
+ * Least knee flexion, radians: near straight a millimetre at the hip is degrees at the knee, which pops; the 2 mm of
+ * hip height that it costs are not seen.
+ */
+const LEAST_KNEE = (8 * Math.PI) / 180;
+/** Of the capture's own flexion this much stays where the plan's footsteps are farther: planted leg, swinging leg. */
+const STANCE_SHARE = 0.35;
+const SWING_SHARE = 0.7;
+/** Softness of the limits, metres: hips' height, swinging foot. */
+const EASE = 0.006;
+const PULL = 0.008;
 /** Half window of the soft lowering, frames. */
 const SOFT = 8;
 
@@ -68,26 +77,79 @@ function seatGap(
   return out;
 }
 
+/** Length of a leg whose knee is bent by `flexion`, metres. */
+const legLength = (thigh: number, shank: number, flexion: number): number =>
+  Math.sqrt(thigh * thigh + shank * shank + 2 * thigh * shank * Math.cos(flexion));
+
+/** Flexion of a knee in the pose that the captures gave, radians. */
+function flexionOf(track: BodyTrack, frame: number, knee: number): number {
+  const o = Q * frame + 4 * knee;
+  const r = track.rotations;
+  return 2 * Math.atan2(Math.hypot(r[o], r[o + 1], r[o + 2]), Math.abs(r[o + 3]));
+}
+
+/** The way from a foot's ankle to its hip joint at a frame, into v[3..5]; its length. */
+function footToHip(track: BodyTrack, frame: number, side: number, offsets: ArrayLike<number>): number {
+  const hip = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
+  quatRotate(v, 0, track.rotations, Q * frame, offsets[3 * hip], offsets[3 * hip + 1], offsets[3 * hip + 2]);
+  const o = (2 * frame + side) * FOOT_STRIDE;
+  for (let k = 0; k < 3; k++) v[3 + k] = track.root[3 * frame + k] + v[k] - track.feet[o + k];
+  return Math.sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
+}
+
+/**
+ * Draws a foot in the air softly to its hip where its leg would be straighter than the capture's was: a few
+ * millimetres at the foot are many degrees at a knee that is nearly straight. Nothing at lift and landing.
+ * Mutates `track.feet`.
+ */
+export function softenSwings(track: BodyTrack, skeleton: Skeleton): void {
+  const { offsets } = skeleton;
+  const thigh = Math.abs(offsets[3 * J.leftLowerLeg + 1]);
+  const shank = Math.abs(offsets[3 * J.leftFoot + 1]);
+  for (let side = 0; side < 2; side++) {
+    const knee = side === 0 ? J.leftLowerLeg : J.rightLowerLeg;
+    const swings = (f: number): boolean => ((track.contacts[f] >> (2 * side)) & 3) === 0;
+    for (let f = 0; f < track.frames; ) {
+      if (!swings(f)) {
+        f++;
+        continue;
+      }
+      let end = f;
+      while (end < track.frames && swings(end)) end++;
+      const length = end - f + 1;
+      for (let k = f; k < end; k++) {
+        const u = (k - f + 1) / length;
+        const weight = minimumJerk(Math.min(1, u / 0.3)) * minimumJerk(Math.min(1, (1 - u) / 0.3));
+        const flexion = Math.max(LEAST_KNEE, SWING_SHARE * flexionOf(track, k, knee));
+        const distance = footToHip(track, k, side, offsets);
+        const over = distance - legLength(thigh, shank, flexion);
+        const pull = (weight * 0.5 * (over + Math.sqrt(over * over + PULL * PULL))) / distance;
+        const o = (2 * k + side) * FOOT_STRIDE;
+        for (let i = 0; i < 3; i++) track.feet[o + i] += pull * v[3 + i];
+      }
+      f = end;
+    }
+  }
+}
+
 /** How far each frame's hips must come down for both legs to reach, then softened over neighbours. Mutates `track.root`. */
 export function reachWithLegs(track: BodyTrack, skeleton: Skeleton): void {
   const { offsets } = skeleton;
   const thigh = Math.abs(offsets[3 * J.leftLowerLeg + 1]);
   const shank = Math.abs(offsets[3 * J.leftFoot + 1]);
-  const longest = Math.sqrt(thigh * thigh + shank * shank + 2 * thigh * shank * Math.cos(LEAST_KNEE));
   const n = track.frames;
   const drop = new Float64Array(n);
   for (let f = 0; f < n; f++) {
     let need = 0;
     for (let side = 0; side < 2; side++) {
-      const hip = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
-      quatRotate(v, 0, track.rotations, Q * f, offsets[3 * hip], offsets[3 * hip + 1], offsets[3 * hip + 2]);
-      const o = (2 * f + side) * FOOT_STRIDE;
-      const dx = track.root[3 * f] + v[0] - track.feet[o];
-      const dy = track.root[3 * f + 1] + v[1] - track.feet[o + 1];
-      const dz = track.root[3 * f + 2] + v[2] - track.feet[o + 2];
-      const across = dx * dx + dz * dz;
-      const height = Math.sqrt(Math.max(0.04, longest * longest - across));
-      need = Math.max(need, dy - height);
+      const knee = side === 0 ? J.leftLowerLeg : J.rightLowerLeg;
+      footToHip(track, f, side, offsets);
+      const flexion = Math.max(LEAST_KNEE, STANCE_SHARE * flexionOf(track, f, knee));
+      const longest = legLength(thigh, shank, flexion);
+      const across = v[3] * v[3] + v[5] * v[5];
+      const over = v[4] - Math.sqrt(Math.max(0.04, longest * longest - across));
+      // Softly from a little before the leg is at its longest: nothing may begin at once.
+      need = Math.max(need, 0.5 * (over + Math.sqrt(over * over + EASE * EASE)) - EASE * EASE);
     }
     drop[f] = need;
   }

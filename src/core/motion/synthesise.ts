@@ -14,7 +14,7 @@ import type { Library } from "../templates/types.ts";
 import { balanceBody, type KeptBalance } from "./balance-pass.ts";
 import { type BodyTrack, createBodyState, createBodyTrack, runBodyPass } from "./body-pass.ts";
 import { createHandState, type HandState, handTargets, inkOf } from "./hand-pass.ts";
-import { leadToSeats, reachWithLegs } from "./hips-pass.ts";
+import { leadToSeats, reachWithLegs, softenSwings } from "./hips-pass.ts";
 import {
   closeArms,
   closeLegs,
@@ -62,6 +62,7 @@ export function beginSynthesis(
   leadToSeats(track, setups, windows, skeleton);
   const limbs = createLimbWorkspace();
   balanceBody(track, windows, skeleton, limbs, kept);
+  softenSwings(track, skeleton);
   reachWithLegs(track, skeleton);
   return {
     frames,
