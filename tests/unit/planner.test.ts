@@ -89,7 +89,10 @@ describe("planner", () => {
     const begun = plan.steps.filter((s) => s.lift <= now);
     expect(again.steps.slice(0, begun.length)).toEqual(begun);
     expect(again.tasks[0]).toEqual(plan.tasks[0]);
-    const after = beginSynthesis(fitted, skeleton, again, goalsOf(moved), new Map());
+    const after = beginSynthesis(fitted, skeleton, again, goalsOf(moved), new Map(), {
+      shift: before.track.shift,
+      until: Math.floor(now * 60),
+    });
     const frame = Math.floor(now * 60) - 10;
     const a = synthesiseChunk(before, 0, frame);
     const b = synthesiseChunk(after, 0, frame);

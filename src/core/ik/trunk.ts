@@ -18,14 +18,14 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 const SPINE = [J.spine, J.chest, J.upperChest] as const;
 /** An arm is asked for at most this share of its length before the trunk helps. */
 const COMFORT = 0.96;
-const ROUNDS = 8;
+const ROUNDS = 20;
 /** Most that one joint turns in one round, radians. */
 const MOST_TURN = 0.12;
 
 const q = new Float64Array(16);
 const identity = Float64Array.of(0, 0, 0, 1);
 
-/** Bends the spine of `pose` so that both shoulders come within an arm of their weighted targets; kinematics are updated. */
+/** Bends the spine of `pose` so that both shoulders come within an arm of their targets, by each target's weight; kinematics are updated. */
 export function bendTrunk(
   pose: Float64Array,
   positions: Float64Array,
@@ -53,7 +53,7 @@ export function bendTrunk(
       const dy = place[3 * side + 1] - positions[3 * s + 1];
       const dz = place[3 * side + 2] - positions[3 * s + 2];
       const d = Math.sqrt(dx * dx + dy * dy + dz * dz);
-      const lack = d - COMFORT * arm;
+      const lack = weight[side] * (d - COMFORT * arm);
       if (lack <= 1e-4) continue;
       px += (dx / d) * lack;
       py += (dy / d) * lack;

@@ -225,7 +225,7 @@ function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): 
   }
   for (let f = 0; f < 2; f++) {
     const inertia = state.pitchInertia[f];
-    const clamp = restingPitch;
+    const clamp = (p: number) => bearingPitch(setup, p);
     inertia.value[0] = clamp(state.lastPitch[f] + state.lastPitchSpeed[f]) - clamp(here.pitch[f]);
     inertia.speed[0] = (state.lastPitchSpeed[f] - (clamp(next.pitch[f]) - clamp(here.pitch[f]))) / DT;
     // A speed that would carry the foot far past its place is not handed on.
@@ -276,7 +276,7 @@ function writeFeet(
     const moving = step !== null && source >= step.start && source < step.end;
     const landed = step !== null && source >= step.end;
     const pi = state.pitchInertia[f];
-    const raw = restingPitch(here.pitch[f]);
+    const raw = bearingPitch(setup, here.pitch[f]);
     if (state.settled[f] && !moving) {
       state.settled[f] = false;
       pi.value[0] = -raw;
@@ -347,6 +347,12 @@ function restingPitch(pitch: number): number {
   const p = Math.max(LEAST_PITCH, Math.min(MOST_PITCH, pitch));
   const over = Math.abs(p) / FLAT - 1;
   return over >= 2 ? p : over <= 0 ? 0 : p * smooth(over / 2);
+}
+
+/** The same in its segment: where nobody steps, a foot that the capture was about to roll over its heel stays flat. */
+function bearingPitch(setup: SegmentSetup, pitch: number): number {
+  const p = restingPitch(pitch);
+  return setup.step ? p : Math.min(0, p);
 }
 
 const smooth = (u: number): number => u * u * u * (u * (6 * u - 15) + 10);

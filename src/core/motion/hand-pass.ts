@@ -12,6 +12,7 @@ import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { BodyTrack } from "./body-pass.ts";
 import type { HandTargets, LimbWorkspace } from "./limb-pass.ts";
+import { sampleClip } from "./sample.ts";
 import type { SegmentSetup } from "./segment-setup.ts";
 import { mapByTask, shows, type TaskWindow, windowWeight } from "./task-windows.ts";
 import type { BoxTrack, InkStroke } from "./types.ts";
@@ -35,6 +36,10 @@ export interface HandState {
   gaps: Float64Array;
   /** How firmly each hand writes in the present frame. */
   writing: [number, number];
+  /** Whether each window's capture is what is shown at its contact: -1 not looked at, 0 no, 1 yes. */
+  seen: Int8Array;
+  /** Source frame that is shown at each window's contact: the capture's own contact but for stretched time. */
+  sourceAtContact: Float64Array;
   /** Where the pen of each window was against its task at contact. */
   penStart: Float64Array;
 }
@@ -83,6 +88,8 @@ export function createHandState(windows: TaskWindow[], frames: number): HandStat
     ink: [],
     writing: [0, 0],
     gaps: new Float64Array(3 * Math.max(1, windows.length)),
+    seen: new Int8Array(Math.max(1, windows.length)).fill(-1),
+    sourceAtContact: new Float64Array(Math.max(1, windows.length)),
     penStart: new Float64Array(3 * Math.max(1, windows.length)),
   };
 }
@@ -112,9 +119,7 @@ function tip(
 function tipsByTask(out: Float64Array, w: TaskWindow, setup: SegmentSetup, source: number): boolean {
   if (!shows(w, setup.segment.clip, source)) return false;
   const { clip } = setup.source;
-  const i = Math.max(0, Math.min(clip.frames - 1, Math.round(source)));
-  for (let k = 0; k < 3; k++) root[k] = clip.root[3 * i + k];
-  for (let k = 0; k < pose.length; k++) pose[k] = clip.rotations[pose.length * i + k];
+  sampleClip(root, pose, clip, Math.max(0, Math.min(clip.frames - 1, source)));
   forwardKinematics(p, wr, clip.skeleton, root, 0, pose, 0);
   for (let side = 0; side < 2; side++) {
     tip(out, 3 * side, p, wr, side, clip.skeleton);
@@ -142,6 +147,13 @@ export function handTargets(
   state.writing[0] = state.writing[1] = 0;
   const setup = setups[track.segmentOf[frame]];
   const source = track.sourceFrame[frame];
+  for (let i = 0; i < state.windows.length; i++) {
+    if (state.seen[i] >= 0) continue;
+    const w = state.windows[i];
+    const f = Math.max(0, Math.min(track.frames - 1, w.contact));
+    state.sourceAtContact[i] = track.sourceFrame[f];
+    state.seen[i] = shows(w, setups[track.segmentOf[f]].segment.clip, track.sourceFrame[f]) ? 1 : 0;
+  }
   for (let i = 0; i < state.windows.length; i++) {
     const w = state.windows[i];
     if (w.task.category !== "write") continue;
@@ -213,6 +225,7 @@ function writeTarget(
     else if (frame >= w.contact) breakStroke(state, w);
     for (let k = 0; k < 3; k++) state.gaps[g + k] = [x, y, z][k] - v[6 + k];
   } else if (frame > w.end) breakStroke(state, w);
+  else if (state.seen[index] === 0) aimAtTarget(state, index, v[6], v[7], v[8]);
   joint(
     targets,
     side,
@@ -220,9 +233,17 @@ function writeTarget(
     v[6] + weight * state.gaps[g],
     v[7] + weight * state.gaps[g + 1],
     v[8] + weight * state.gaps[g + 2],
-    1,
+    weight,
     skeleton,
   );
+}
+
+/** Where no capture shows the task at its contact, the hands go to the task's own place. */
+function aimAtTarget(state: HandState, index: number, x: number, y: number, z: number): void {
+  const { target } = state.windows[index];
+  state.gaps[3 * index] = target.x - x;
+  state.gaps[3 * index + 1] = target.y - y;
+  state.gaps[3 * index + 2] = target.z - z;
 }
 
 /** Looks ahead to where the capture's pen is at contact, so that the lead aims there from the start. */
@@ -230,7 +251,7 @@ function tipAtContact(state: HandState, index: number, side: number, setup: Segm
   const w = state.windows[index];
   const g = 3 * index;
   const save = v.slice(0, 6);
-  tipsByTask(v, w, setup, w.sourceContact);
+  tipsByTask(v, w, setup, state.sourceAtContact[index]);
   state.penStart[g] = v[3 * side] - w.target.x;
   state.penStart[g + 1] = v[3 * side + 1] - w.target.y;
   state.penStart[g + 2] = v[3 * side + 2] - w.target.z;
@@ -305,7 +326,7 @@ function boxTargets(
               : 1 - minimumJerk((frame - w.contact) / Math.max(1, w.end - w.contact))
             : 1;
         for (let k = 0; k < 3; k++) state.gaps[g + k] -= fade * state.penStart[g + k];
-      }
+      } else if (frame <= w.end && state.seen[i] === 0) aimAtTarget(state, i, body[0], body[1], body[2]);
       for (let k = 0; k < 3; k++) centre[k] += weight * state.gaps[g + k];
       const toTask =
         w === lift
@@ -347,7 +368,7 @@ function boxTargets(
       // A hand that writes has left the box.
       const away = state.writing[side];
       const wrote = targets.place.slice(3 * side, 3 * side + 3);
-      joint(targets, side, limbs, hx, hy, hz, 1, skeleton);
+      joint(targets, side, limbs, hx, hy, hz, reach, skeleton);
       if (away > 0)
         for (let k = 0; k < 3; k++) targets.place[own + k] += away * (wrote[k] - targets.place[own + k]);
     }
@@ -358,7 +379,7 @@ function boxTargets(
 /** How far the capture's hands' middle at contact is from its box, as laid on the plan: nothing for the studio's own build. */
 function correctAtContact(state: HandState, w: TaskWindow, i: number, setup: SegmentSetup): void {
   const save = v.slice(0, 6);
-  if (tipsByTask(v, w, setup, w.sourceContact)) {
+  if (tipsByTask(v, w, setup, state.sourceAtContact[i])) {
     const g = 3 * i;
     state.penStart[g] = (v[0] + v[3]) / 2 - w.target.x;
     state.penStart[g + 1] = (v[1] + v[4]) / 2 - w.target.y;
@@ -395,7 +416,7 @@ function emptyHanded(
     for (let k = 0; k < 3; k++) state.gaps[g + k] = (v[k] + v[3 + k]) / 2 - body[k];
     correctAtContact(state, w, g / 3, setup);
     for (let k = 0; k < 3; k++) state.gaps[g + k] -= state.penStart[g + k];
-  }
+  } else if (frame <= w.end && state.seen[g / 3] === 0) aimAtTarget(state, g / 3, body[0], body[1], body[2]);
   for (let side = 0; side < 2; side++) {
     const o = 3 * side;
     joint(
@@ -405,7 +426,7 @@ function emptyHanded(
       own[o] + weight * state.gaps[g],
       own[o + 1] + weight * state.gaps[g + 1],
       own[o + 2] + weight * state.gaps[g + 2],
-      1,
+      weight,
       skeleton,
     );
   }

@@ -57,12 +57,11 @@ export function closeLegs(w: LimbWorkspace, track: BodyTrack, frame: number, ske
     const upper = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
     const foot = upper + 2;
     const o = (2 * frame + side) * FOOT_STRIDE;
-    // The knee points as the pose's does, drawn a little to the foot's and the hips' forward. (Leaning on these two more
-    // was tried: where a foot is left far behind a turn they cancel, and the knee jumps.)
     quatRotate(w.hints, 0, track.feet, o + 3, 0, 0, 1);
     quatRotate(w.hints, 3, w.world, 0, 0, 0, 1);
     quatRotate(w.hints, 6, w.world, 4 * upper, 0, 0, 1);
-    for (let k = 0; k < 3; k++) w.hints[k] = 0.25 * (w.hints[k] + w.hints[3 + k]) + w.hints[6 + k];
+    for (let k = 0; k < 3; k++) w.hints[9 + k] = track.feet[o + k] - w.positions[3 * upper + k];
+    kneeDirection(w.hints);
     solveLeg(
       w.pose,
       w.positions,
@@ -85,9 +84,60 @@ export function closeLegs(w: LimbWorkspace, track: BodyTrack, frame: number, ske
   }
 }
 
+/** Farthest that a knee points away from the middle of foot and hips, radians: the hip turns no more. */
+const MOST_KNEE_TURN = (50 * Math.PI) / 180;
+
+/**
+ * Where the knee points: as the pose's does (h[6..8]), softly held to the middle of the foot's forward (h[0..2]) and
+ * the hips' (h[3..5]), about the way from hip to ankle (h[9..11]). Where these two point opposite ways, as a foot left
+ * behind in a turn does, they say nothing and the pose is taken. Writes h[0..2].
+ */
+function kneeDirection(h: Float64Array): void {
+  const l = Math.hypot(h[9], h[10], h[11]) || 1;
+  const ax = h[9] / l;
+  const ay = h[10] / l;
+  const az = h[11] / l;
+  let rx = h[0] + h[3];
+  let ry = h[1] + h[4];
+  let rz = h[2] + h[5];
+  const ra = rx * ax + ry * ay + rz * az;
+  rx -= ra * ax;
+  ry -= ra * ay;
+  rz -= ra * az;
+  const r = Math.hypot(rx, ry, rz);
+  const ta = h[6] * ax + h[7] * ay + h[8] * az;
+  const tx = h[6] - ta * ax;
+  const ty = h[7] - ta * ay;
+  const tz = h[8] - ta * az;
+  h[0] = tx;
+  h[1] = ty;
+  h[2] = tz;
+  if (r < 1e-6) return;
+  rx /= r;
+  ry /= r;
+  rz /= r;
+  // Third axis, square to the limb and to the middle.
+  const sx = ay * rz - az * ry;
+  const sy = az * rx - ax * rz;
+  const sz = ax * ry - ay * rx;
+  const turn = Math.atan2(tx * sx + ty * sy + tz * sz, tx * rx + ty * ry + tz * rz);
+  const held = MOST_KNEE_TURN * Math.tanh(turn / MOST_KNEE_TURN);
+  const angle = turn + Math.min(1, r) * (held - turn);
+  const c = Math.cos(angle);
+  const s = Math.sin(angle);
+  h[0] = c * rx + s * sx;
+  h[1] = c * ry + s * sy;
+  h[2] = c * rz + s * sz;
+}
+
 /** Leads the hands to their targets: the trunk bends for what the arms lack, then each arm closes. */
 export function closeArms(w: LimbWorkspace, targets: HandTargets, skeleton: Skeleton): void {
   if (targets.weight[0] <= 0 && targets.weight[1] <= 0) return;
+  // The targets were made for hands that point as they do now, whatever the trunk does.
+  for (let side = 0; side < 2; side++) {
+    const hand = side === 0 ? J.leftHand : J.rightHand;
+    for (let k = 0; k < 4; k++) w.q[4 * side + k] = w.world[4 * hand + k];
+  }
   bendTrunk(w.pose, w.positions, w.world, w.root, skeleton, targets.weight, targets.place);
   for (let side = 0; side < 2; side++) {
     if (targets.weight[side] <= 0) continue;
@@ -95,7 +145,6 @@ export function closeArms(w: LimbWorkspace, targets: HandTargets, skeleton: Skel
     const hand = upper + 2;
     // A straight elbow points down, out and back.
     quatRotate(w.hints, 0, w.world, 4 * J.upperChest, side === 0 ? 0.55 : -0.55, -1, -0.25);
-    for (let k = 0; k < 4; k++) w.q[k] = w.world[4 * hand + k];
     solveTwoBone(
       w.pose,
       0,
@@ -113,7 +162,7 @@ export function closeArms(w: LimbWorkspace, targets: HandTargets, skeleton: Skel
       0,
     );
     // The hand keeps the way it pointed.
-    for (let k = 0; k < 4; k++) w.world[4 * hand + k] = w.q[k];
+    for (let k = 0; k < 4; k++) w.world[4 * hand + k] = w.q[4 * side + k];
     quatInverseMultiply(w.pose, 4 * hand, w.world, 4 * (upper + 1), w.world, 4 * hand);
     quatNormalize(w.pose, 4 * hand);
   }
