@@ -1,6 +1,8 @@
 /** The command line: one command a file under `commands/`. Results on standard output as JSON, progress on standard error. */
 import { UsageError } from "./args.ts";
+import { cleanCommand } from "./commands/clean.ts";
 import { contactsCommand } from "./commands/contacts.ts";
+import { contactsTrainCommand } from "./commands/contacts-train.ts";
 import { importCommand } from "./commands/import.ts";
 import { libraryCommand } from "./commands/library.ts";
 import { planCommand } from "./commands/plan.ts";
@@ -15,6 +17,8 @@ export interface Command {
 const COMMANDS: Record<string, Command> = {
   import: importCommand,
   contacts: contactsCommand,
+  "contacts-train": contactsTrainCommand,
+  clean: cleanCommand,
   steps: stepsCommand,
   studio: studioCommand,
   library: libraryCommand,

@@ -9,6 +9,7 @@ import { savitzkyGolay } from "../math/savitzky-golay.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import type { ContactTrack } from "../steps/types.ts";
+import { dropShort } from "./runs.ts";
 
 export const CONTACT_METHODS = ["height", "speed", "both"] as const;
 export type ContactMethod = (typeof CONTACT_METHODS)[number];
@@ -115,16 +116,5 @@ function vote(track: Uint8Array, half: number): void {
       count++;
     }
     track[f] = 2 * sum > count ? 1 : 0;
-  }
-}
-
-/** Runs of `value` shorter than `shortest` that touch neither end take the other value. */
-function dropShort(track: Uint8Array, value: 0 | 1, shortest: number): void {
-  let from = 0;
-  for (let f = 1; f <= track.length; f++) {
-    if (f < track.length && track[f] === track[from]) continue;
-    if (track[from] === value && f - from < shortest && from > 0 && f < track.length)
-      track.fill(1 - value, from, f);
-    from = f;
   }
 }

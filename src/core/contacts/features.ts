@@ -1,0 +1,189 @@
+/**
+ * What describes a frame to the oracle: a window of 21 frames at 60 Hz around it [Oracle §3].
+ *
+ * `paper`: places of knees, ankles and toes of both legs, moved so that the centre frame's root is at the origin with no yaw,
+ * in units of leg length; one example answers all four bits. `own`: one foot at a time; heights of heel, ball and tip
+ * over the foot's own lowest place nearby and their speeds, both in logarithm, so that the difference between resting and
+ * almost resting weighs as much as between slow and fast; nothing in it changes when the whole figure drifts or turns, and
+ * a left foot teaches a right one.
+ */
+import { gaussian } from "../math/interpolate.ts";
+import { LEG_ROW, type MotionTrack, POINT } from "./motion-track.ts";
+
+export const FEATURE_SETS = ["paper", "own"] as const;
+export type FeatureSet = (typeof FEATURE_SETS)[number];
+
+export interface FeatureOptions {
+  set: FeatureSet;
+  /** Half window, frames at 60 Hz. */
+  half: number;
+}
+
+/** 21 frames at 60 Hz: a third of a second. */
+export const PAPER_HALF = 10;
+
+/** Numbers an example. */
+export function featureSize(o: FeatureOptions): number {
+  return o.set === "paper" ? (2 * o.half + 1) * 18 : offsetsOf(o.half).length * OWN_ROW;
+}
+
+/** Examples a frame: one of the whole body, or one of each foot. */
+export const examplesPerFrame = (o: FeatureOptions): number => (o.set === "paper" ? 1 : 2);
+
+/** Points of a sole. */
+const SOLE = [POINT.heel, POINT.ball, POINT.tip] as const;
+/** Heights and speeds of heel, ball and tip. */
+const OWN_ROW = 6;
+/** Where speeds begin to count as moving and heights as raised: at a leg of 0.93 m. */
+const SPEED = 0.12;
+const HEIGHT = 0.012;
+/** Half of the time in which a foot's lowest place is looked for, frames. */
+const FLOOR = 40;
+
+/** Frames of the window that are looked at, denser at its middle. */
+function offsetsOf(half: number): number[] {
+  const out = [0];
+  for (let k = 1; k <= half; k += k < 4 ? 1 : 2) out.push(-k, k);
+  if (!out.includes(half)) out.push(-half, half);
+  return out.sort((a, b) => a - b);
+}
+
+/** All examples of a track, row after row: frames x examplesPerFrame x featureSize. */
+export function featuresOf(track: MotionTrack, o: FeatureOptions): Float32Array {
+  return o.set === "paper" ? paperFeatures(track, o.half) : ownFeatures(track, o.half);
+}
+
+const clamp = (f: number, n: number): number => (f < 0 ? 0 : f >= n ? n - 1 : f);
+
+function paperFeatures(track: MotionTrack, half: number): Float32Array {
+  const size = (2 * half + 1) * 18;
+  const out = new Float32Array(track.frames * size);
+  const unit = 1 / track.leg;
+  let i = 0;
+  for (let f = 0; f < track.frames; f++) {
+    const x = track.root[4 * f];
+    const y = track.root[4 * f + 1];
+    const z = track.root[4 * f + 2];
+    const c = Math.cos(track.root[4 * f + 3]);
+    const s = Math.sin(track.root[4 * f + 3]);
+    for (let k = -half; k <= half; k++) {
+      const g = clamp(f + k, track.frames);
+      for (let side = 0; side < 2; side++) {
+        const base = (2 * g + side) * LEG_ROW;
+        for (let p = 0; p < 9; p += 3) {
+          const dx = track.points[base + p] - x;
+          const dz = track.points[base + p + 2] - z;
+          out[i++] = (c * dx - s * dz) * unit;
+          out[i++] = (track.points[base + p + 1] - y) * unit;
+          out[i++] = (s * dx + c * dz) * unit;
+        }
+      }
+    }
+  }
+  return out;
+}
+
+function ownFeatures(track: MotionTrack, half: number): Float32Array {
+  const offsets = offsetsOf(half);
+  const size = offsets.length * OWN_ROW;
+  const n = track.frames;
+  const scale = track.leg / 0.93;
+  const out = new Float32Array(2 * n * size);
+  const rows = new Float64Array(n * OWN_ROW);
+  const heights = new Float64Array(n);
+  for (let side = 0; side < 2; side++) {
+    const drift = driftOf(track, side);
+    SOLE.forEach((point, c) => {
+      const at = (f: number, k: number): number =>
+        track.points[(2 * f + side) * LEG_ROW + point + k] - drift[3 * f + k];
+      for (let f = 0; f < n; f++) heights[f] = at(f, 1);
+      const floor = lowest(heights, FLOOR);
+      for (let f = 0; f < n; f++) {
+        const a = Math.max(0, f - 1);
+        const b = Math.min(n - 1, f + 1);
+        const speed =
+          (Math.hypot(at(b, 0) - at(a, 0), at(b, 1) - at(a, 1), at(b, 2) - at(a, 2)) * 60) /
+          Math.max(1, b - a);
+        rows[f * OWN_ROW + c] = Math.log1p(Math.max(0, heights[f] - floor[f]) / (HEIGHT * scale));
+        rows[f * OWN_ROW + 3 + c] = Math.log1p(speed / (SPEED * scale));
+      }
+    });
+    for (let f = 0; f < n; f++) {
+      let i = (2 * f + side) * size;
+      for (const k of offsets) {
+        const g = clamp(f + k, n) * OWN_ROW;
+        // What is near in time says most.
+        const weight = 1 / (1 + Math.abs(k) / 3);
+        for (let c = 0; c < OWN_ROW; c++) out[i++] = rows[g + c] * weight;
+      }
+    }
+  }
+  return out;
+}
+
+/** Half of the time in which a foot is expected to rest once, frames, and softness of the drift found, frames. */
+const REST = 32;
+const DRIFT_SOFT = 9;
+
+/**
+ * How the ground that a foot stands on moves: an edited motion drifts as a whole, and a planted foot with it. The velocity
+ * of the foot's stillest point nearby, smoothed and summed: x, y, z a frame.
+ */
+function driftOf(track: MotionTrack, side: number): Float64Array {
+  const n = track.frames;
+  const still = new Float64Array(3 * n);
+  const speed = new Float64Array(n);
+  for (let f = 0; f < n; f++) {
+    const a = Math.max(0, f - 1);
+    const b = Math.min(n - 1, f + 1);
+    speed[f] = Number.POSITIVE_INFINITY;
+    for (const point of SOLE) {
+      const i = (2 * a + side) * LEG_ROW + point;
+      const j = (2 * b + side) * LEG_ROW + point;
+      const inverse = 1 / Math.max(1, b - a);
+      const vx = (track.points[j] - track.points[i]) * inverse;
+      const vy = (track.points[j + 1] - track.points[i + 1]) * inverse;
+      const vz = (track.points[j + 2] - track.points[i + 2]) * inverse;
+      const v = Math.hypot(vx, vy, vz);
+      if (v >= speed[f]) continue;
+      speed[f] = v;
+      still.set([vx, vy, vz], 3 * f);
+    }
+  }
+  const out = new Float64Array(3 * n);
+  for (let f = 0; f < n; f++) {
+    let total = 0;
+    let least = Number.POSITIVE_INFINITY;
+    for (let g = Math.max(0, f - REST); g <= Math.min(n - 1, f + REST); g++)
+      least = Math.min(least, speed[g]);
+    for (let g = Math.max(0, f - REST); g <= Math.min(n - 1, f + REST); g++) {
+      // Frames nearly as still as the stillest speak, the nearer the louder.
+      if (speed[g] > 1.5 * least + 2e-4) continue;
+      const weight = 1 / (4 + Math.abs(g - f));
+      for (let k = 0; k < 3; k++) out[3 * f + k] += weight * still[3 * g + k];
+      total += weight;
+    }
+    for (let k = 0; k < 3; k++) out[3 * f + k] /= total;
+  }
+  gaussian(out, 3, DRIFT_SOFT);
+  for (let i = 3; i < 3 * n; i++) out[i] += out[i - 3];
+  return out;
+}
+
+/** Lowest value within `half` frames to each side (van Herk's sliding minimum would do; windows are short). */
+function lowest(values: Float64Array, half: number): Float64Array {
+  const n = values.length;
+  const out = new Float64Array(n);
+  const queue: number[] = [];
+  for (let f = 0; f < n + half; f++) {
+    if (f < n) {
+      while (queue.length > 0 && values[queue[queue.length - 1]] >= values[f]) queue.pop();
+      queue.push(f);
+    }
+    const centre = f - half;
+    if (centre < 0) continue;
+    while (queue[0] < centre - half) queue.shift();
+    out[centre] = values[queue[0]];
+  }
+  return out;
+}
