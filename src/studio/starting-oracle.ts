@@ -8,7 +8,7 @@ import { studioSet } from "./set.ts";
 /** One frame in this many is learned: neighbours in time say the same. */
 const EVERY = 4;
 /** Spreads of the slow tremble by turns, metres; the quick one is a third. */
-const WEAR = [0.004, 0.008, 0.012];
+const WEAR = [0.006, 0.01, 0.014];
 
 /** Made anew from the studio, deterministic, in about three seconds. */
 export function startingOracle(): Oracle {

@@ -4,7 +4,7 @@
  * Rest poses are not trusted (some are no T-pose at all): limbs are rebuilt from where the joints are in every frame. Bones
  * take the capture's directions, knees and elbows bend in its planes, ankles stand exactly on its ankles.
  */
-import { solveLeg } from "../ik/leg.ts";
+import { quatFromBasis, solveLeg } from "../ik/leg.ts";
 import { solveTwoBone } from "../ik/two-bone.ts";
 import {
   quatBetween,
@@ -134,6 +134,55 @@ interface FeetCalibration {
   slope: [number, number];
   ankle: [number, number];
 }
+
+const lateral = new Float64Array(3);
+
+/** A foot of which only the ankle is known: level. Returns its pitch. */
+function levelFoot(rotations: Float64Array, o: number, yaw: number): number {
+  quatFromYawPitchRoll(rotations, o, yaw, 0, 0);
+  return 0;
+}
+
+/**
+ * World rotation of a foot from its ankle and toe joint, at `o`; returns its pitch against flat, toe up positive.
+ *
+ * The foot's own left is level as long as the foot is; in push-off, when ankle and toe are nearly above each other (and pass
+ * each other), it is the shank's: the heading of a vertical foot says nothing.
+ */
+function footOnToe(
+  rotations: Float64Array,
+  o: number,
+  shank: number,
+  at: Float64Array,
+  foot: number,
+  toe: number,
+  rest: number,
+): number {
+  const d = [0, 1, 2].map((k) => at[3 * toe + k] - at[3 * foot + k]);
+  const length = Math.hypot(d[0], d[1], d[2]) || 1e-9;
+  for (let k = 0; k < 3; k++) d[k] /= length;
+  quatRotate(lateral, 0, rotations, shank, 1, 0, 0);
+  const level = Math.hypot(d[0], d[2]);
+  const side = level > 1e-6 && d[2] * lateral[0] - d[0] * lateral[2] < 0 ? -1 : 1;
+  const along = lateral[0] * d[0] + lateral[1] * d[1] + lateral[2] * d[2];
+  const own = lateral.map((x, k) => x - along * d[k]);
+  const n = Math.hypot(own[0], own[1], own[2]) || 1;
+  const u = Math.max(0, Math.min(1, (0.75 - level) / 0.45));
+  const steep = u * u * (3 - 2 * u);
+  const flat = level > 1e-6 ? [(side * d[2]) / level, 0, (-side * d[0]) / level] : [0, 0, 0];
+  const x = [0, 1, 2].map((k) => (1 - steep) * flat[k] + (steep * own[k]) / n);
+  const m = Math.hypot(x[0], x[1], x[2]) || 1;
+  for (let k = 0; k < 3; k++) x[k] /= m;
+  const y = [d[1] * x[2] - d[2] * x[1], d[2] * x[0] - d[0] * x[2], d[0] * x[1] - d[1] * x[0]];
+  quatFromBasis(rotations, o, x[0], x[1], x[2], y[0], y[1], y[2], d[0], d[1], d[2]);
+  quatFromAxisAngle(turned, 0, 1, 0, 0, rest);
+  quatMultiply(rotations, o, rotations, o, turned, 0);
+  quatNormalize(rotations, o);
+  const slope = Math.atan2(d[1], side * level);
+  return (slope > Math.PI / 2 ? slope - 2 * Math.PI : slope) - rest;
+}
+
+const turned = new Float64Array(4);
 
 /** How high and how steep the feet are when they rest: the stillest low frames of each. */
 function calibrateFeet(world: WorldMotion, joints: Joints): FeetCalibration {
@@ -350,13 +399,10 @@ function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibration):
         (f * mid[1]) / (out || 1),
         (f * mid[2]) / (out || 1) + (1.1 - f) * (ahead[2] / n),
       );
-      const yaw = Math.atan2(ahead[0], ahead[2]);
-      const slope =
+      const pitch =
         toe !== undefined
-          ? Math.atan2(at[3 * toe + 1] - at[3 * foot + 1], Math.hypot(at[3 * toe] - ax, at[3 * toe + 2] - az))
-          : feet.slope[side];
-      const pitch = slope - feet.slope[side];
-      quatFromYawPitchRoll(rotations, 4 * (upper + 2), yaw, -pitch, 0);
+          ? footOnToe(rotations, 4 * (upper + 2), 4 * (upper + 1), at, foot, toe, feet.slope[side])
+          : levelFoot(rotations, 4 * (upper + 2), Math.atan2(ahead[0], ahead[2]));
       quatInverseMultiply(pose, 4 * (upper + 2), rotations, 4 * (upper + 1), rotations, 4 * (upper + 2));
       // Toes stay on the floor while the ball does.
       const ballHeight =

@@ -4,7 +4,7 @@
 import { quatInverseMultiply, quatNormalize, quatSet } from "../math/quaternion.ts";
 
 /** Rotation whose columns are x, y, z (orthonormal) as a quaternion. */
-function fromBasis(
+export function quatFromBasis(
   out: Float64Array,
   o: number,
   xx: number,
@@ -124,6 +124,6 @@ function basisAlong(
   yy: number,
   yz: number,
 ): void {
-  fromBasis(out, o, xx, xy, xz, yx, yy, yz, xy * yz - xz * yy, xz * yx - xx * yz, xx * yy - xy * yx);
+  quatFromBasis(out, o, xx, xy, xz, yx, yy, yz, xy * yz - xz * yy, xz * yx - xx * yz, xx * yy - xy * yx);
   quatNormalize(out, o);
 }
