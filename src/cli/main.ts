@@ -3,6 +3,7 @@ import { UsageError } from "./args.ts";
 import { cleanCommand } from "./commands/clean.ts";
 import { contactsCommand } from "./commands/contacts.ts";
 import { contactsTrainCommand } from "./commands/contacts-train.ts";
+import { crowdCommand } from "./commands/crowd.ts";
 import { importCommand } from "./commands/import.ts";
 import { libraryCommand } from "./commands/library.ts";
 import { planCommand } from "./commands/plan.ts";
@@ -23,6 +24,7 @@ const COMMANDS: Record<string, Command> = {
   studio: studioCommand,
   library: libraryCommand,
   plan: planCommand,
+  crowd: crowdCommand,
 };
 
 const usage = (): string =>

@@ -1,0 +1,255 @@
+/** SteerSuite test cases (XML) as crowd worlds. */
+
+import { createRandom } from "../math/random.ts";
+import { cosine, sine } from "./elementary.ts";
+import type { CrowdAgent, CrowdGoal, CrowdWorld, Obstacle } from "./types.ts";
+
+export interface XmlNode {
+  name: string;
+  text: string;
+  children: XmlNode[];
+  line: number;
+}
+
+/** What is wrong with a case: file, line, and one sentence. */
+export class CaseError extends Error {
+  override name = "CaseError";
+}
+
+const MOST_AGENTS = 5000;
+
+/**
+ * Elements and text of an XML document; attributes, comments and processing instructions are passed over.
+ *
+ * @throws CaseError for what is not well formed; document types and entities of one's own are refused.
+ */
+export function parseXml(text: string, file: string): XmlNode {
+  const root: XmlNode = { name: "", text: "", children: [], line: 1 };
+  const stack: XmlNode[] = [root];
+  let at = 0;
+  let line = 1;
+  const fail = (what: string): never => {
+    throw new CaseError(`${file}, line ${line}: ${what}`);
+  };
+  const moveTo = (to: number): void => {
+    for (let i = at; i < to; i++) if (text.charCodeAt(i) === 10) line++;
+    at = to;
+  };
+  while (at < text.length) {
+    const open = text.indexOf("<", at);
+    const chunk = text.slice(at, open < 0 ? text.length : open);
+    if (/&(?!(lt|gt|amp|quot|apos|#\d+);)/.test(chunk)) fail("an entity that is not known.");
+    stack[stack.length - 1].text += chunk;
+    if (open < 0) {
+      moveTo(text.length);
+      break;
+    }
+    moveTo(open);
+    const skip = (start: string, end: string): boolean => {
+      if (!text.startsWith(start, at)) return false;
+      const stop = text.indexOf(end, at + start.length);
+      if (stop < 0) fail(`${start} is not closed.`);
+      moveTo(stop + end.length);
+      return true;
+    };
+    if (skip("<!--", "-->") || skip("<?", "?>")) continue;
+    if (text.startsWith("<!", at)) fail("document types and entities are not read.");
+    const close = text.indexOf(">", at);
+    if (close < 0) fail("a tag is not closed.");
+    const inside = text.slice(at + 1, close);
+    if (inside.startsWith("/")) {
+      const node = stack.pop() as XmlNode;
+      const name = localName(inside.slice(1));
+      if (stack.length === 0 || node.name !== name) fail(`</${name}> closes <${node.name}>.`);
+    } else {
+      const name = localName(inside.replace(/\/$/, ""));
+      if (!/^[A-Za-z_][\w.-]*$/.test(name)) fail("a tag without a name.");
+      const node: XmlNode = { name, text: "", children: [], line };
+      stack[stack.length - 1].children.push(node);
+      if (!inside.endsWith("/")) stack.push(node);
+      if (stack.length > 100) fail("elements are nested too deep.");
+    }
+    moveTo(close + 1);
+  }
+  if (stack.length > 1) fail(`<${stack[stack.length - 1].name}> is not closed.`);
+  const first = root.children[0];
+  if (!first) fail("no element was found.");
+  return first;
+}
+
+const localName = (tag: string): string => (tag.trim().split(/\s/)[0] ?? "").replace(/^.*:/, "");
+
+/**
+ * A SteerSuite test case as a world. Random places are drawn from `seed`.
+ *
+ * @throws CaseError naming file and line.
+ */
+export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld {
+  const start = text.indexOf("<SteerBenchTestCase");
+  if (start < 0) throw new CaseError(`${file}: no <SteerBenchTestCase> was found.`);
+  // Comments before the root stay counted in the lines.
+  const before = text.slice(0, start).split("\n").length - 1;
+  const root = parseXml("\n".repeat(before) + text.slice(start), file);
+  const r = createRandom(seed);
+  const world: CrowdWorld = { name: file, obstacles: [], agents: [], repairs: [] };
+  const fail = (node: XmlNode, what: string): never => {
+    throw new CaseError(`${file}, line ${node.line}: ${what}`);
+  };
+  const child = (node: XmlNode, name: string): XmlNode =>
+    node.children.find((c) => c.name === name) ?? fail(node, `<${node.name}> needs <${name}>.`);
+  const maybe = (node: XmlNode, name: string): XmlNode | undefined =>
+    node.children.find((c) => c.name === name);
+  const number = (node: XmlNode, name: string): number => {
+    const c = child(node, name);
+    const v = Number(c.text.trim());
+    if (c.text.trim() === "" || !Number.isFinite(v))
+      fail(c, `<${name}>: a number is needed, found ${JSON.stringify(c.text.trim())}.`);
+    return v;
+  };
+  const bounds = (node: XmlNode): [number, number, number, number] => {
+    const x = [number(node, "xmin"), number(node, "xmax")];
+    const z = [number(node, "zmin"), number(node, "zmax")];
+    return [Math.min(...x), Math.max(...x), Math.min(...z), Math.max(...z)];
+  };
+  const isRandom = (node: XmlNode): boolean => maybe(node, "random")?.text.trim() === "true";
+  const box = (x0: number, x1: number, z0: number, z1: number): Obstacle => ({
+    x: (x0 + x1) / 2,
+    z: (z0 + z1) / 2,
+    halfX: (x1 - x0) / 2,
+    halfZ: (z1 - z0) / 2,
+    cos: 1,
+    sin: 0,
+    round: false,
+  });
+  const header = maybe(root, "header");
+  const named = header && maybe(header, "name");
+  if (named) world.name = named.text.trim() || file;
+  const edges = header && maybe(header, "worldBounds");
+  const whole = edges ? bounds(edges) : ([-50, 50, -50, 50] as [number, number, number, number]);
+  const somewhere = ([x0, x1, z0, z1]: [number, number, number, number]): [number, number] => {
+    for (let i = 0; i < 2000; i++) {
+      const x = r.between(x0, x1);
+      const z = r.between(z0, z1);
+      const clear =
+        world.agents.every((a) => (a.x - x) ** 2 + (a.z - z) ** 2 > 0.5) &&
+        world.obstacles.every((o) => !covers(o, x, z, 0.35));
+      if (clear) return [x, z];
+    }
+    return [r.between(x0, x1), r.between(z0, z1)];
+  };
+  const goalsOf = (node: XmlNode): CrowdGoal[] =>
+    child(node, "goalSequence").children.flatMap((g): CrowdGoal[] => {
+      const speed = maybe(g, "desiredSpeed") ? number(g, "desiredSpeed") : 1.3;
+      const lasts = maybe(g, "timeDuration") ? number(g, "timeDuration") : 1e9;
+      const base = {
+        speed: speed > 0 ? Math.min(2, speed) : 1.3,
+        patience: lasts > 0 ? lasts : 1e9,
+        box: null,
+      };
+      if (g.name === "seekStaticTarget") {
+        const t = child(g, "targetLocation");
+        const [x, z] = isRandom(t) ? somewhere(whole) : [number(t, "x"), number(t, "z")];
+        return [{ ...base, x, z }];
+      }
+      if (g.name === "seekAxisAlignedBoxRegion") {
+        const b = bounds(child(g, "goalRegionBounds"));
+        return [{ ...base, x: (b[0] + b[1]) / 2, z: (b[2] + b[3]) / 2, box: b }];
+      }
+      world.repairs.push(`${file}, line ${g.line}: <${g.name}> is not followed.`);
+      return [];
+    });
+  const agent = (node: XmlNode, region: [number, number, number, number] | null): CrowdAgent => {
+    const initial = child(node, "initialConditions");
+    const at = maybe(initial, "position");
+    const [x, z] =
+      region || !at || isRandom(at) ? somewhere(region ?? whole) : [number(at, "x"), number(at, "z")];
+    const goals = goalsOf(node);
+    const d = maybe(initial, "direction");
+    let dx = goals.length > 0 ? goals[0].x - x : 0;
+    let dz = goals.length > 0 ? goals[0].z - z : 1;
+    if (d && isRandom(d)) {
+      const a = r.between(0, 6.283185307179586);
+      dx = cosine(a);
+      dz = sine(a);
+    } else if (d && (number(d, "x") !== 0 || number(d, "z") !== 0)) {
+      dx = number(d, "x");
+      dz = number(d, "z");
+    }
+    const n = Math.sqrt(dx * dx + dz * dz) || 1;
+    return { x, z, dirX: dx / n, dirZ: dz / n, goals };
+  };
+  for (const node of root.children) {
+    switch (node.name) {
+      case "obstacle":
+        world.obstacles.push(box(...bounds(node)));
+        break;
+      case "circleObstacle": {
+        const p = child(node, "position");
+        const radius = number(node, "radius");
+        world.obstacles.push({
+          x: number(p, "x"),
+          z: number(p, "z"),
+          halfX: radius,
+          halfZ: radius,
+          cos: 1,
+          sin: 0,
+          round: true,
+        });
+        break;
+      }
+      case "orientedBoxObstacle": {
+        const p = child(node, "position");
+        const s = child(node, "size");
+        const a = (number(node, "thetaY") * Math.PI) / 180;
+        world.obstacles.push({
+          x: number(p, "x"),
+          z: number(p, "z"),
+          halfX: number(s, "x") / 2,
+          halfZ: number(s, "z") / 2,
+          cos: cosine(a),
+          sin: sine(a),
+          round: false,
+        });
+        break;
+      }
+      case "obstacleRegion": {
+        const region = bounds(child(node, "regionBounds"));
+        const half = number(node, "obstacleSize") / 2;
+        const count = Math.min(10_000, number(node, "numObstacles"));
+        for (let i = 0; i < count; i++) {
+          const [x, z] = somewhere(region);
+          world.obstacles.push(box(x - half, x + half, z - half, z + half));
+        }
+        break;
+      }
+      case "agent":
+        world.agents.push(agent(node, null));
+        break;
+      case "agentRegion": {
+        const region = bounds(child(node, "regionBounds"));
+        const count = number(node, "numAgents");
+        if (count > MOST_AGENTS) fail(node, `${count} agents, at most ${MOST_AGENTS} are simulated.`);
+        for (let i = 0; i < count; i++) world.agents.push(agent(node, region));
+        break;
+      }
+      case "header":
+      case "suggestedCameraView":
+        break;
+      default:
+        world.repairs.push(`${file}, line ${node.line}: <${node.name}> is passed over.`);
+    }
+  }
+  if (world.agents.length > MOST_AGENTS)
+    throw new CaseError(`${file}: ${world.agents.length} agents, at most ${MOST_AGENTS} are simulated.`);
+  return world;
+}
+
+function covers(o: Obstacle, x: number, z: number, margin: number): boolean {
+  const dx = x - o.x;
+  const dz = z - o.z;
+  if (o.round) return dx * dx + dz * dz < (o.halfX + margin) ** 2;
+  return (
+    Math.abs(dx * o.cos - dz * o.sin) < o.halfX + margin &&
+    Math.abs(dx * o.sin + dz * o.cos) < o.halfZ + margin
+  );
+}
