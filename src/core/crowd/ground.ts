@@ -19,6 +19,8 @@ export const CELL = 0.25;
 /** A walker's middle keeps this far from walls on long ways; where that closes a way, as much as a body needs. */
 const CLEAR = 0.36;
 const TIGHT = 0.2;
+/** From here on no wall is near anywhere in a cell, whatever way a body faces. */
+const OPEN = 0.5;
 
 const key = (i: number, k: number): number => (i + 5000) * 16384 + (k + 5000);
 
@@ -84,9 +86,12 @@ export function createGround(world: CrowdWorld): Ground {
   };
   for (let k = 0; k < rows; k++)
     for (let i = 0; i < columns; i++) {
-      const gap = nearestGap(ground, x0 + (i + 0.5) * CELL, z0 + (k + 0.5) * CELL);
-      // 2: with room to spare, 1: narrow, 0: no.
-      ground.free[k * columns + i] = gap >= CLEAR ? 2 : gap >= TIGHT ? 1 : 0;
+      const x = x0 + (i + 0.5) * CELL;
+      const z = z0 + (k + 0.5) * CELL;
+      const gap = nearestGap(ground, x, z);
+      // 3: no wall near, 2: with room to spare, 1: narrow, 0: no.
+      const level = gap >= OPEN ? 3 : gap >= CLEAR ? 2 : gap >= TIGHT ? 1 : 0;
+      ground.free[k * columns + i] = level;
     }
   return ground;
 }
@@ -107,6 +112,12 @@ export function cellOf(ground: Ground, x: number, z: number): number {
   return i < 0 || k < 0 || i >= ground.columns || k >= ground.rows ? -1 : k * ground.columns + i;
 }
 
+/** Whether no wall is near a point: then nothing more need be measured. */
+export function farFromWalls(ground: Ground, x: number, z: number): boolean {
+  const c = cellOf(ground, x, z);
+  return c >= 0 && ground.free[c] === 3;
+}
+
 /** Whether the straight way between two points stays in cells at least this free. */
 export function clearWay(
   ground: Ground,
@@ -118,7 +129,7 @@ export function clearWay(
 ): boolean {
   const dx = bx - ax;
   const dz = bz - az;
-  const steps = Math.ceil(Math.sqrt(dx * dx + dz * dz) / (0.5 * CELL));
+  const steps = Math.ceil(Math.sqrt(dx * dx + dz * dz) / (0.8 * CELL));
   for (let s = 0; s <= steps; s++) {
     const u = steps === 0 ? 0 : s / steps;
     const c = cellOf(ground, ax + u * dx, az + u * dz);

@@ -13,66 +13,124 @@ export interface LongWay {
   /** Cell -> index in corners; corners: x, z, distance to the goal. */
   cornerOf: Map<number, number>;
   corners: number[];
-  reached: boolean;
+  /** The search as far as it has gone: it goes on when another start asks. */
+  cost: Map<number, number>;
+  parent: Map<number, number>;
+  cornerIndex: Map<number, number>;
+  /** Cells that are open. */
+  open: Set<number>;
+  from: number;
+  /** Nothing more can be found. */
+  exhausted: boolean;
 }
 
-/** Cells are looked at until ways are this much longer than the shortest, metres: walkers leave their way. */
+/** Ways are looked for until they are this much longer than the shortest, metres: walkers leave their way. */
 const SLACK = 4;
 /** Narrow cells are this much longer, so that a way with room is taken where there is one. */
 const NARROW = 1.5;
-const MOST_CELLS = 250_000;
+const MOST_CELLS = 120_000;
+/** Farthest that a corner is looked from, metres. */
+const SIGHT = 14;
 
-/** Finds the field from a goal to a start. Bounded: never more than a fixed number of cells. */
-export function findLongWay(
-  ground: Ground,
-  goalX: number,
-  goalZ: number,
-  startX: number,
-  startZ: number,
-): LongWay {
-  const way: LongWay = { goalX, goalZ, cornerOf: new Map(), corners: [goalX, goalZ, 0], reached: false };
-  if (clearWay(ground, goalX, goalZ, startX, startZ, 2)) {
-    way.reached = true;
-    return way;
+/** The field of a goal, nothing found yet. */
+export function createLongWay(ground: Ground, goalX: number, goalZ: number): LongWay {
+  const way: LongWay = {
+    goalX,
+    goalZ,
+    cornerOf: new Map(),
+    corners: [goalX, goalZ, 0],
+    cost: new Map(),
+    parent: new Map(),
+    cornerIndex: new Map(),
+    open: new Set(),
+    exhausted: false,
+    from: freeCell(ground, goalX, goalZ),
+  };
+  if (way.from >= 0) {
+    way.cost.set(way.from, 0);
+    way.parent.set(way.from, way.from);
+    way.cornerIndex.set(way.from, 0);
+    way.open.add(way.from);
   }
-  const from = freeCell(ground, goalX, goalZ);
+  return way;
+}
+
+/**
+ * Carries a field on until it covers a start and the ways near to it. Bounded: never more than a fixed number of cells, and
+ * no more than a box around start and goal, unless the way leads out of it.
+ */
+export function extendLongWay(ground: Ground, way: LongWay, startX: number, startZ: number): void {
+  if (way.cornerOf.size === 0 && clearWay(ground, way.goalX, way.goalZ, startX, startZ, 2)) return;
   const target = freeCell(ground, startX, startZ);
-  if (from < 0 || target < 0) return way;
+  if (way.from < 0 || target < 0 || way.exhausted || way.cornerOf.has(target)) return;
   const { columns, rows, free } = ground;
-  const cost = new Map<number, number>();
-  const parent = new Map<number, number>();
-  const closed = new Set<number>();
-  const heap = createHeap();
+  const { cost, parent, cornerIndex, open, cornerOf, corners } = way;
   const px = (c: number): number => ground.x0 + ((c % columns) + 0.5) * CELL;
   const pz = (c: number): number => ground.z0 + (Math.floor(c / columns) + 0.5) * CELL;
-  const far = (ax: number, az: number, bx: number, bz: number): number =>
-    Math.sqrt((ax - bx) * (ax - bx) + (az - bz) * (az - bz));
-  const tx = px(target);
-  const tz = pz(target);
-  const cornerIndex = new Map<number, number>([[from, 0]]);
-  cost.set(from, 0);
-  parent.set(from, from);
-  push(heap, far(px(from), pz(from), tx, tz), from);
+  const far = (a: number, b: number): number => {
+    const dx = px(a) - px(b);
+    const dz = pz(a) - pz(b);
+    return Math.sqrt(dx * dx + dz * dz);
+  };
+  // What is open is sorted anew for this start; what is closed stays right, as the straight distance never overestimates.
+  const heap = createHeap();
+  for (const c of open) push(heap, (cost.get(c) ?? 0) + far(c, target), c);
   let most = Number.POSITIVE_INFINITY;
-  while (heap.size > 0 && closed.size < MOST_CELLS) {
-    const f = heap.keys[0];
+  let looked = 0;
+  while (heap.size > 0 && looked < MOST_CELLS) {
+    if (heap.keys[0] > most) break;
     const c = pop(heap);
-    if (f > most) break;
-    if (closed.has(c)) continue;
-    closed.add(c);
-    const g = cost.get(c) ?? 0;
-    if (c === target) {
-      way.reached = true;
-      most = f + SLACK;
+    if (cornerOf.has(c)) continue;
+    looked++;
+    // Sight to the parent was taken for granted; it is looked at once, here.
+    let p = parent.get(c) ?? c;
+    if (p !== c && !clearWay(ground, px(p), pz(p), px(c), pz(c), free[c] >= 2 ? 2 : 1)) {
+      let best = Number.POSITIVE_INFINITY;
+      eachNeighbour(ground, c, (n) => {
+        if (!cornerOf.has(n)) return;
+        const g = (cost.get(n) ?? 0) + weightOf(free[c]) * far(n, c);
+        if (g < best) {
+          best = g;
+          p = n;
+        }
+      });
+      if (best === Number.POSITIVE_INFINITY) {
+        open.delete(c);
+        continue;
+      }
+      parent.set(c, p);
+      if (best > (cost.get(c) ?? 0) + 1e-9) {
+        cost.set(c, best);
+        push(heap, best + far(c, target), c);
+        continue;
+      }
     }
-    const p = parent.get(c) ?? c;
     let corner = cornerIndex.get(p);
     if (corner === undefined) {
-      corner = way.corners.length / 3;
+      corner = corners.length / 3;
       cornerIndex.set(p, corner);
-      way.corners.push(px(p), pz(p), cost.get(p) ?? 0);
+      corners.push(px(p), pz(p), cost.get(p) ?? 0);
     }
-    way.cornerOf.set(c, corner);
+    cornerOf.set(c, corner);
+    open.delete(c);
+    if (c === target) most = (cost.get(c) ?? 0) + SLACK;
+    // Corners are at most some metres apart: sight is costly to look at.
+    const from = far(p, c) > SIGHT ? c : p;
+    const g = cost.get(from) ?? 0;
+    eachNeighbour(ground, c, (n) => {
+      if (cornerOf.has(n)) return;
+      const next = g + weightOf(free[n]) * far(from, n);
+      if (next >= (cost.get(n) ?? Number.POSITIVE_INFINITY)) return;
+      cost.set(n, next);
+      parent.set(n, from);
+      open.add(n);
+      push(heap, next + far(n, target), n);
+    });
+  }
+
+  if (!cornerOf.has(target)) way.exhausted = true;
+
+  function eachNeighbour(g: Ground, c: number, visit: (n: number) => void): void {
     const ci = c % columns;
     const ck = Math.floor(c / columns);
     for (let dk = -1; dk <= 1; dk++)
@@ -82,31 +140,16 @@ export function findLongWay(
         const k = ck + dk;
         if (i < 0 || k < 0 || i >= columns || k >= rows) continue;
         const n = k * columns + i;
-        if (free[n] === 0 || closed.has(n)) continue;
+        if (g.free[n] === 0) continue;
         // No cutting of corners.
-        if (di !== 0 && dk !== 0 && (free[ck * columns + i] === 0 || free[k * columns + ci] === 0)) continue;
-        const weight = free[n] === 1 ? NARROW : 1;
-        let next = g + weight * far(px(c), pz(c), px(n), pz(n));
-        let by = c;
-        if (clearWay(ground, px(p), pz(p), px(n), pz(n), weight === 1 ? 2 : 1)) {
-          const straight = (cost.get(p) ?? 0) + weight * far(px(p), pz(p), px(n), pz(n));
-          if (straight <= next) {
-            next = straight;
-            by = p;
-          }
-        }
-        if (next < (cost.get(n) ?? Number.POSITIVE_INFINITY)) {
-          cost.set(n, next);
-          parent.set(n, by);
-          push(heap, next + far(px(n), pz(n), tx, tz), n);
-        }
+        if (di !== 0 && dk !== 0 && (g.free[ck * columns + i] === 0 || g.free[k * columns + ci] === 0))
+          continue;
+        visit(n);
       }
   }
-  // The first corner is the goal itself.
-  way.corners[0] = goalX;
-  way.corners[1] = goalZ;
-  return way;
 }
+
+const weightOf = (level: number): number => (level === 1 ? NARROW : 1);
 
 /** The nearest cell to a point in which a body has room; -1 when none is within 3 m. */
 function freeCell(ground: Ground, x: number, z: number): number {

@@ -7,7 +7,7 @@
  * change, and so costs instead of forbidding.
  */
 import { cosine, sine } from "./elementary.ts";
-import { type Ground, nearestGap } from "./ground.ts";
+import { farFromWalls, type Ground, nearestGap } from "./ground.ts";
 import {
   createFootstep,
   createStep,
@@ -26,7 +26,7 @@ export const HORIZON = 3;
 const SAMPLE = 0.1;
 const SAMPLES = 46;
 /** Others that are looked at: the nearest within the visual field. */
-const MOST_OTHERS = 14;
+const MOST_OTHERS = 18;
 /** Gap kept between bodies, and to walls, metres. */
 const MARGIN = 0.03;
 const WALL_MARGIN = 0.015;
@@ -156,6 +156,7 @@ export function bodyGap(a: Float64Array, i: number, b: Float64Array, k: number, 
 
 /** Whether a body stands clear of walls. */
 export function clearOfWalls(ground: Ground, a: Float64Array, i: number): boolean {
+  if (farFromWalls(ground, a[i], a[i + 1])) return true;
   const need = BODY_RADIUS + WALL_MARGIN;
   if (nearestGap(ground, a[i], a[i + 1]) < need) return false;
   const sx = SHOULDER * a[i + 3];

@@ -1,7 +1,7 @@
 /** A crowd over time: everyone plans as a step ends, so plans are staggered by themselves; places are noted at 20 Hz. */
-import { clearWay, createGround, type Ground } from "./ground.ts";
+import { cellOf, clearWay, createGround, type Ground } from "./ground.ts";
 import { createStep, createStop, evaluateStep, S, STATE, type Step } from "./locomotion.ts";
-import { findLongWay, type LongWay } from "./long-way.ts";
+import { ahead, createLongWay, extendLongWay, type LongWay } from "./long-way.ts";
 import { clearOfWalls, createPlanner, type Planner, planSteps, seeOthers, type Walker } from "./planner.ts";
 import { type CrowdWorld, DEFAULT_GAIT, FOOT_RADIUS, type Gait, TICK } from "./types.ts";
 
@@ -37,6 +37,8 @@ export interface Crowd {
   seen: Int32Array;
   gaps: Float64Array;
   cells: Map<number, number[]>;
+  /** Fields of the goals, shared by all who go there. */
+  ways: Map<string, LongWay>;
 }
 
 export interface CrowdStatistics {
@@ -48,8 +50,12 @@ export interface CrowdStatistics {
 
 export function createCrowd(world: CrowdWorld, gait: Gait = DEFAULT_GAIT): Crowd {
   const ground = createGround(world);
+  const ways = new Map<string, LongWay>();
+  // First ways are found before anyone walks.
+  for (const a of world.agents) if (a.goals.length > 0) wayTo(ground, ways, a.goals[0], a.x, a.z);
   return {
     world,
+    ways,
     ground,
     gait,
     planner: createPlanner(gait),
@@ -87,6 +93,23 @@ export function createCrowd(world: CrowdWorld, gait: Gait = DEFAULT_GAIT): Crowd
     gaps: new Float64Array(world.agents.length),
     cells: new Map(),
   };
+}
+
+function wayTo(
+  ground: Ground,
+  ways: Map<string, LongWay>,
+  goal: { x: number; z: number },
+  x: number,
+  z: number,
+): LongWay {
+  const name = `${goal.x},${goal.z}`;
+  let way = ways.get(name);
+  if (!way) {
+    way = createLongWay(ground, goal.x, goal.z);
+    ways.set(name, way);
+  }
+  extendLongWay(ground, way, x, z);
+  return way;
 }
 
 const pose = new Float64Array(4);
@@ -198,18 +221,17 @@ function plan(crowd: Crowd, i: number, time: number): void {
   const goal = crowd.world.agents[i].goals[person.goal];
   const { state } = person;
   if (!person.way || (time - person.waySince > 2 && strayed(ground, person.way, state))) {
-    person.way = findLongWay(ground, goal.x, goal.z, state[S.x], state[S.z]);
+    person.way = wayTo(ground, crowd.ways, goal, state[S.x], state[S.z]);
     person.waySince = time;
   }
-  const dx = goal.x - state[S.x];
-  const dz = goal.z - state[S.z];
-  const distance = Math.sqrt(dx * dx + dz * dz);
+  const { x: aimX, z: aimZ, distance } = ahead(ground, person.way, state[S.x], state[S.z]);
   if (distance < person.progress - 0.3) {
     person.progress = distance;
     person.progressAt = time;
   }
   const stuck = time - person.progressAt > STUCK_AFTER;
   const count = look(crowd, i, time);
+  const way = stuck ? (giveWay(i, time - person.progressAt, state, aimX, aimZ) ?? person.way) : person.way;
   seeOthers(planner, crowd.people, crowd.seen, count, time);
   pose[0] = state[S.x];
   pose[1] = state[S.z];
@@ -217,7 +239,7 @@ function plan(crowd: Crowd, i: number, time: number): void {
   pose[3] = state[S.faceZ];
   const found = planSteps(planner, state, 0, {
     ground,
-    way: person.way,
+    way,
     speed: goal.speed,
     tolerance: ARRIVED * 0.8,
     most: stuck ? STUCK_NODES : NODES,
@@ -240,8 +262,52 @@ function plan(crowd: Crowd, i: number, time: number): void {
   for (let k = 0; k < person.planned; k++) Object.assign(person.plan[k], planner.steps[planner.path[k + 1]]);
 }
 
+const aside: LongWay = createAside();
+
+function createAside(): LongWay {
+  return {
+    goalX: 0,
+    goalZ: 0,
+    cornerOf: new Map(),
+    corners: [],
+    cost: new Map(),
+    parent: new Map(),
+    cornerIndex: new Map(),
+    open: new Set(),
+    from: -1,
+    exhausted: true,
+  };
+}
+
+/** Time in which one who is stuck keeps to a choice, seconds. */
+const CHOICE = 1.6;
+
+/**
+ * Two who wait for each other would wait for ever: one who has not come on takes turns, by its number and the time, to make
+ * room: back, or to a side. Null while it goes on trying.
+ */
+function giveWay(i: number, since: number, state: Float64Array, aimX: number, aimZ: number): LongWay | null {
+  const turn = Math.floor((since - STUCK_AFTER) / CHOICE);
+  // A small integer hash: the same everywhere.
+  const hash = ((i * 73 + turn * 151 + 7) * 2654435761) >>> 16;
+  if (hash % 3 !== 0) return null;
+  const dx = aimX - state[S.x];
+  const dz = aimZ - state[S.z];
+  const n = Math.sqrt(dx * dx + dz * dz) || 1;
+  const [back, side] = [
+    [-1, 0],
+    [-0.5, 0.8],
+    [-0.5, -0.8],
+    [0, 1],
+  ][(hash >> 2) % 4];
+  aside.goalX = state[S.x] + (2 * (back * dx + side * dz)) / n;
+  aside.goalZ = state[S.z] + (2 * (back * dz - side * dx)) / n;
+  return aside;
+}
+
+/** Whether a walker has come where its way's field does not reach. */
 function strayed(ground: Ground, way: LongWay, state: Float64Array): boolean {
-  if (way.cornerOf.size > 0) return false;
+  if (way.cornerOf.size > 0) return !way.cornerOf.has(cellOf(ground, state[S.x], state[S.z]));
   return !clearWay(ground, state[S.x], state[S.z], way.goalX, way.goalZ, 1);
 }
 
