@@ -1,11 +1,12 @@
 /** `npm run bench`: every figure beside its peer, measured in the same run. */
 import contacts from "./contacts.bench.ts";
+import crowd from "./crowd.bench.ts";
 import ik from "./ik.bench.ts";
 import optimiser from "./optimiser.bench.ts";
 import planning from "./planning.bench.ts";
 import type { BenchModule, BenchOptions, Figure } from "./types.ts";
 
-const MODULES: BenchModule[] = [optimiser, planning, ik, contacts];
+const MODULES: BenchModule[] = [optimiser, planning, ik, contacts, crowd];
 
 const text = (v: number | null, unit: string): string =>
   v === null ? "" : `${v >= 100 ? v.toFixed(0) : v.toPrecision(3)} ${unit}`;

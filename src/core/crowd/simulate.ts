@@ -71,8 +71,8 @@ export function createCrowd(world: CrowdWorld, gait: Gait = DEFAULT_GAIT): Crowd
       state[S.footX] = a.x;
       state[S.footZ] = a.z;
       const step = createStep();
-      // Standing; first plans are spread over the first steps' time.
-      createStop(new Float64Array(STATE), 0, step, state, 0, 0, gait);
+      // Standing at first, some a little longer than others: plans are then spread over the ticks.
+      createStop(new Float64Array(STATE), 0, step, state, 0, ((i * 3) % 10) * TICK, gait);
       return {
         state,
         step,
