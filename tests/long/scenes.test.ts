@@ -1,0 +1,57 @@
+import { describe, expect, it } from "vitest";
+import { beginSynthesis, synthesiseClip } from "../../src/core/motion/synthesise.ts";
+import { measureMotion } from "../../src/core/quality/measure.ts";
+import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
+import { goalsOf, planScene } from "../../src/core/tasks/plan-scene.ts";
+import { retargetLibrary } from "../../src/core/templates/retarget-library.ts";
+import { studio } from "../support/library.ts";
+import { randomScene } from "../support/random-scene.ts";
+
+/** Goals of the motion-quality figures, and the share of scenes that must meet each. */
+const GOALS: [string, (q: ReturnType<typeof measureMotion>) => boolean][] = [
+  ["skate <= 4 mm", (q) => (q.skate ?? 0) <= 4],
+  ["flat <= 2 mm", (q) => (q.skateFlat ?? 0) <= 2],
+  ["penetration <= 3 mm", (q) => (q.penetration ?? 0) <= 3],
+  ["float <= 5 mm", (q) => (q.float ?? 0) <= 5],
+  ["reach <= 5 mm", (q) => (q.reach ?? 0) <= 5],
+  ["footsteps <= 1 mm", (q) => (q.footstepError?.position ?? 0) <= 1],
+  ["knees within limits", (q) => q.limitViolations === 0],
+  ["balance within 5 cm >= 0.69", (q) => (q.balanceWithin50mm ?? 1) >= 0.69],
+];
+const SHARE = 0.8;
+
+describe("two hundred random scenes", () => {
+  it("all give a plan and a motion without NaN; each quality goal is met on 80 %", () => {
+    const skeleton = createSkeleton(1.75);
+    const library = retargetLibrary(studio().library, skeleton);
+    const met = GOALS.map(() => 0);
+    for (let seed = 1; seed <= 200; seed++) {
+      const scene = randomScene(seed);
+      const plan = planScene(scene, library, skeleton);
+      const goals = goalsOf(scene);
+      const synthesis = beginSynthesis(library, skeleton, plan, goals, new Map());
+      const clip = synthesiseClip(synthesis, "long");
+      expect(clip.root.every(Number.isFinite) && clip.rotations.every(Number.isFinite), `seed ${seed}`).toBe(
+        true,
+      );
+      expect(plan.tasks.length, `seed ${seed}`).toBe(scene.tasks.length);
+      const chunk = {
+        first: 0,
+        frames: clip.frames,
+        root: Float32Array.from(clip.root),
+        rotations: Float32Array.from(clip.rotations),
+        contacts: synthesis.track.contacts,
+      };
+      const quality = measureMotion(skeleton, [chunk], clip.frames, plan, goals);
+      GOALS.forEach(([, ok], i) => {
+        if (ok(quality)) met[i]++;
+      });
+    }
+    GOALS.forEach(([name], i) => {
+      console.log(`${name}: ${(met[i] / 2).toFixed(1)} %`);
+    });
+    GOALS.forEach(([name], i) => {
+      expect(met[i] / 200, name).toBeGreaterThanOrEqual(SHARE);
+    });
+  });
+});

@@ -1,0 +1,115 @@
+import { readFileSync } from "node:fs";
+import { basename } from "node:path";
+import { describe, expect, it } from "vitest";
+import type { Clip } from "../../src/core/capture/clip.ts";
+import { importBvh } from "../../src/core/capture/import.ts";
+import type { SidecarTask } from "../../src/core/capture/sidecar.ts";
+import { wrapAngle } from "../../src/core/math/angle.ts";
+import { quatYaw } from "../../src/core/math/quaternion.ts";
+import { beginSynthesis, synthesiseClip } from "../../src/core/motion/synthesise.ts";
+import { measureMotion } from "../../src/core/quality/measure.ts";
+import { parseScene } from "../../src/core/scene/schema.ts";
+import { JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
+import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
+import { goalsOf, planScene } from "../../src/core/tasks/plan-scene.ts";
+import { buildLibrary } from "../../src/core/templates/build-library.ts";
+import { retargetLibrary } from "../../src/core/templates/retarget-library.ts";
+import type { Library } from "../../src/core/templates/types.ts";
+import { studio } from "../support/library.ts";
+import { randomScene } from "../support/random-scene.ts";
+import { captures, hasShared } from "../support/shared.ts";
+
+/** A capture's turn: it ends where nine tenths of the turning are done. */
+function turnTask(clip: Clip): SidecarTask {
+  const yaw = new Float64Array(clip.frames);
+  for (let f = 0; f < clip.frames; f++) {
+    const y = quatYaw(clip.rotations, 4 * JOINT_COUNT * f);
+    yaw[f] = f === 0 ? y : yaw[f - 1] + wrapAngle(y - yaw[f - 1]);
+  }
+  const end = clip.frames - 1;
+  const total = yaw[end] - yaw[0];
+  let contact = end;
+  while (contact > 0 && Math.abs(yaw[contact] - yaw[0]) > 0.9 * Math.abs(total)) contact--;
+  const at = Math.min(end, contact + 1);
+  return {
+    category: "turn",
+    effort: 1,
+    position: [clip.root[3 * at], 0, clip.root[3 * at + 2]],
+    yaw: wrapAngle(yaw[end]),
+    start: at / 60,
+    contact: at / 60,
+    end: Math.min(end, at + 2) / 60,
+    hand: "both",
+  };
+}
+
+describe.skipIf(!hasShared)("captures of people who turn", () => {
+  it("imported as turn templates, drive a character through turn tasks", () => {
+    const files = captures().filter((f) => basename(f).includes("walk-turn-"));
+    expect(files.length).toBeGreaterThan(10);
+    const real = files.map((f) => {
+      const { clip } = importBvh(readFileSync(f, "utf8"), basename(f));
+      return { name: basename(f, ".bvh"), clip, tasks: [turnTask(clip)] };
+    });
+    const skeleton = createSkeleton(1.75);
+    const library = retargetLibrary(buildLibrary(real), skeleton);
+    expect(library.templates.some((t) => t.phase === "enter")).toBe(true);
+    for (const yaw of [Math.PI / 2, Math.PI, -Math.PI / 2]) {
+      const scene = parseScene({
+        version: 1,
+        tasks: [{ id: "turn", category: "turn", position: [0, 0, 3], yaw }],
+      });
+      const goals = goalsOf(scene);
+      const plan = planScene(scene, library, skeleton);
+      expect(plan.steps.length).toBeGreaterThan(3);
+      const last = plan.steps[plan.steps.length - 1];
+      expect(Math.abs(wrapAngle(last.yaw - yaw))).toBeLessThan(0.6);
+      expect(Math.hypot(last.x, last.z - 3)).toBeLessThan(0.6);
+      const synthesis = beginSynthesis(library, skeleton, plan, goals, new Map());
+      const clip = synthesiseClip(synthesis, "turn");
+      const quality = measureMotion(
+        skeleton,
+        [
+          {
+            first: 0,
+            frames: clip.frames,
+            root: Float32Array.from(clip.root),
+            rotations: Float32Array.from(clip.rotations),
+            contacts: synthesis.track.contacts,
+          },
+        ],
+        clip.frames,
+        plan,
+        goals,
+      );
+      expect(quality.skate ?? 0).toBeLessThan(4);
+      expect(quality.footstepError?.position ?? 0).toBeLessThan(1);
+      expect(clip.rotations.every(Number.isFinite)).toBe(true);
+    }
+  });
+});
+
+describe("templates", () => {
+  it("half of them leave the optimiser more to do [TaskLoco §7]", () => {
+    const skeleton = createSkeleton(1.75);
+    const library = retargetLibrary(studio().library, skeleton);
+    // Every second transition of a capture, both its templates.
+    const half: Library = {
+      ...library,
+      templates: library.templates.filter((t) => t.task % 2 === 0),
+    };
+    const residual = (l: Library): number => {
+      let sum = 0;
+      for (let seed = 1; seed <= 60; seed++)
+        for (const t of planScene(randomScene(seed), l, skeleton, { playing: null, trace: true }).traces)
+          sum += t.terms[t.terms.length - 1]?.[0] ?? 0;
+      return sum;
+    };
+    const all = residual(library);
+    const fewer = residual(half);
+    console.log(
+      `residual with all ${library.templates.length} templates ${all.toFixed(2)}, with ${half.templates.length} ${fewer.toFixed(2)}`,
+    );
+    expect(fewer).toBeGreaterThan(all);
+  });
+});
