@@ -47,6 +47,8 @@ interface Places {
 export interface LogEntry {
   what: PlannerResponse["type"] | "asked" | "drawn" | "changed-over";
   id: number;
+  /** Milliseconds since the page was asked for. */
+  at: number;
 }
 
 export class Editor {
@@ -174,11 +176,11 @@ export class Editor {
     const duration = this.duration();
     const now = this.begun && s.time > 0 && s.time < duration - 0.01 ? s.time : null;
     this.askedId = this.planner.plan(s.scene, now);
-    this.log.push({ what: "asked", id: this.askedId });
+    this.log.push({ what: "asked", id: this.askedId, at: performance.now() });
   }
 
   private hear(m: PlannerResponse): void {
-    if ("id" in m) this.log.push({ what: m.type, id: m.id });
+    if ("id" in m) this.log.push({ what: m.type, id: m.id, at: performance.now() });
     if (this.log.length > 5000) this.log.splice(0, 2500);
     switch (m.type) {
       case "ready":
@@ -191,13 +193,13 @@ export class Editor {
         this.set({ plan: m.plan, planMs: m.planMs });
         // Footprints answer at once; the motion follows.
         this.drawFootprints();
-        this.log.push({ what: "drawn", id: m.id });
+        this.log.push({ what: "drawn", id: m.id, at: performance.now() });
         break;
       case "motion": {
         if (m.id !== this.plannedId) return;
         const shown = Math.floor(this.store.getState().time * 60);
         if (this.motion.add(m.id, m.chunk, shown)) {
-          this.log.push({ what: "changed-over", id: m.id });
+          this.log.push({ what: "changed-over", id: m.id, at: performance.now() });
           this.begin();
         }
         this.show();

@@ -1,4 +1,5 @@
 /** `npm run bench`: every figure beside its peer, measured in the same run. */
+import browser from "./browser.bench.ts";
 import contacts from "./contacts.bench.ts";
 import crowd from "./crowd.bench.ts";
 import ik from "./ik.bench.ts";
@@ -6,7 +7,7 @@ import optimiser from "./optimiser.bench.ts";
 import planning from "./planning.bench.ts";
 import type { BenchModule, BenchOptions, Figure } from "./types.ts";
 
-const MODULES: BenchModule[] = [optimiser, planning, ik, contacts, crowd];
+const MODULES: BenchModule[] = [optimiser, planning, ik, contacts, crowd, browser];
 
 const text = (v: number | null, unit: string): string =>
   v === null ? "" : `${v >= 100 ? v.toFixed(0) : v.toPrecision(3)} ${unit}`;
