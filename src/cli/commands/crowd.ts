@@ -15,7 +15,7 @@ export const crowdCommand = {
     needed(o, "case");
     const files = o.values.get("case") ?? [];
     const to = outputs(files, needed(o, "out"), "json");
-    const seconds = Number(one(o, "seconds") ?? 300);
+    const seconds = Number(one(o, "seconds") ?? 600);
     if (!(seconds > 0 && seconds <= 3600)) throw new UsageError("--seconds: a number up to 3600 is needed.");
     return files.map((file, i) => {
       const text = readText(file);

@@ -5,6 +5,8 @@ export interface Ground {
   obstacles: Obstacle[];
   /** Cells of 2 m for looking up obstacles. */
   cells: Map<number, Int32Array>;
+  /** Side of a cell of the grid of ways, metres. */
+  cell: number;
   /** Grid of ways: origin, cells, and whether a walker's middle may be there. */
   x0: number;
   z0: number;
@@ -14,13 +16,16 @@ export interface Ground {
 }
 
 const LOOKUP = 2;
-/** Side of a cell of the grid of ways, metres. */
-export const CELL = 0.25;
+/** Side of a cell of the grid of ways, metres; and where the world is wide, with more ways than one, and hundreds go different ones. */
+const CELL = 0.25;
+const WIDE_CELL = 0.5;
+const WIDE = 1600;
+const MANY_GOALS = 60;
 /** A walker's middle keeps this far from walls on long ways; where that closes a way, as much as a body needs. */
 const CLEAR = 0.36;
 const TIGHT = 0.2;
-/** From here on no wall is near anywhere in a cell, whatever way a body faces. */
-const OPEN = 0.5;
+/** With half a cell's diagonal more, no wall is near anywhere in a cell, whatever way a body faces. */
+const OPEN = 0.315;
 
 const key = (i: number, k: number): number => (i + 5000) * 16384 + (k + 5000);
 
@@ -73,11 +78,14 @@ export function createGround(world: CrowdWorld): Ground {
   });
   const x0 = minX - 4;
   const z0 = minZ - 4;
-  const columns = Math.min(2000, Math.ceil((maxX - minX + 8) / CELL));
-  const rows = Math.min(2000, Math.ceil((maxZ - minZ + 8) / CELL));
+  const goals = new Set(world.agents.flatMap((a) => a.goals.map((g) => `${g.x},${g.z}`))).size;
+  const cell = (maxX - minX) * (maxZ - minZ) > WIDE && goals > MANY_GOALS ? WIDE_CELL : CELL;
+  const columns = Math.min(2000, Math.ceil((maxX - minX + 8) / cell));
+  const rows = Math.min(2000, Math.ceil((maxZ - minZ + 8) / cell));
   const ground: Ground = {
     obstacles: world.obstacles,
     cells: new Map([...cells].map(([k, v]) => [k, Int32Array.from(v)])),
+    cell,
     x0,
     z0,
     columns,
@@ -86,11 +94,11 @@ export function createGround(world: CrowdWorld): Ground {
   };
   for (let k = 0; k < rows; k++)
     for (let i = 0; i < columns; i++) {
-      const x = x0 + (i + 0.5) * CELL;
-      const z = z0 + (k + 0.5) * CELL;
+      const x = x0 + (i + 0.5) * cell;
+      const z = z0 + (k + 0.5) * cell;
       const gap = nearestGap(ground, x, z);
       // 3: no wall near, 2: with room to spare, 1: narrow, 0: no.
-      const level = gap >= OPEN ? 3 : gap >= CLEAR ? 2 : gap >= TIGHT ? 1 : 0;
+      const level = gap >= OPEN + 0.71 * cell ? 3 : gap >= CLEAR ? 2 : gap >= TIGHT ? 1 : 0;
       ground.free[k * columns + i] = level;
     }
   return ground;
@@ -107,8 +115,8 @@ export function nearestGap(ground: Ground, x: number, z: number): number {
 
 /** Index of the cell of a point; -1 outside. */
 export function cellOf(ground: Ground, x: number, z: number): number {
-  const i = Math.floor((x - ground.x0) / CELL);
-  const k = Math.floor((z - ground.z0) / CELL);
+  const i = Math.floor((x - ground.x0) / ground.cell);
+  const k = Math.floor((z - ground.z0) / ground.cell);
   return i < 0 || k < 0 || i >= ground.columns || k >= ground.rows ? -1 : k * ground.columns + i;
 }
 
@@ -129,7 +137,7 @@ export function clearWay(
 ): boolean {
   const dx = bx - ax;
   const dz = bz - az;
-  const steps = Math.ceil(Math.sqrt(dx * dx + dz * dz) / (0.8 * CELL));
+  const steps = Math.ceil(Math.sqrt(dx * dx + dz * dz) / (0.8 * ground.cell));
   for (let s = 0; s <= steps; s++) {
     const u = steps === 0 ? 0 : s / steps;
     const c = cellOf(ground, ax + u * dx, az + u * dz);

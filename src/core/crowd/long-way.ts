@@ -5,7 +5,7 @@
  * What is kept is a field: from every cell near the way, the next corner and the distance from there. A step's worth is
  * then known anywhere, and the local goal is the corner in sight.
  */
-import { CELL, cellOf, clearWay, type Ground } from "./ground.ts";
+import { cellOf, clearWay, type Ground } from "./ground.ts";
 
 export interface LongWay {
   goalX: number;
@@ -65,8 +65,8 @@ export function extendLongWay(ground: Ground, way: LongWay, startX: number, star
   if (way.from < 0 || target < 0 || way.exhausted || way.cornerOf.has(target)) return;
   const { columns, rows, free } = ground;
   const { cost, parent, cornerIndex, open, cornerOf, corners } = way;
-  const px = (c: number): number => ground.x0 + ((c % columns) + 0.5) * CELL;
-  const pz = (c: number): number => ground.z0 + (Math.floor(c / columns) + 0.5) * CELL;
+  const px = (c: number): number => ground.x0 + ((c % columns) + 0.5) * ground.cell;
+  const pz = (c: number): number => ground.z0 + (Math.floor(c / columns) + 0.5) * ground.cell;
   const far = (a: number, b: number): number => {
     const dx = px(a) - px(b);
     const dz = pz(a) - pz(b);
@@ -159,7 +159,7 @@ function freeCell(ground: Ground, x: number, z: number): number {
     for (let k = -r; k <= r; k++)
       for (let i = -r; i <= r; i++) {
         if (Math.max(Math.abs(i), Math.abs(k)) !== r) continue;
-        const c = cellOf(ground, x + i * CELL, z + k * CELL);
+        const c = cellOf(ground, x + i * ground.cell, z + k * ground.cell);
         if (c < 0 || ground.free[c] === 0) continue;
         const d = i * i + k * k;
         if (d < least) {
