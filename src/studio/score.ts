@@ -9,6 +9,7 @@
 import type { SidecarTask } from "../core/capture/sidecar.ts";
 import type { Proportions } from "../core/skeleton/skeleton.ts";
 import type { Foot } from "../core/steps/types.ts";
+import type { GaitShape } from "./gait-shape.ts";
 
 export interface ScoreStance {
   x: number;
@@ -19,6 +20,7 @@ export interface ScoreStance {
 /**
  * How a foot goes:
  * - `walk`: heel strike, roll, push-off;
+ * - `run`: lands under a bent knee while the other foot is still in the air, flies off the toes;
  * - `turnStep`: a walking step that turns;
  * - `side`, `close`: toe-first low step to the side / to stand beside the other foot;
  * - `forward`, `backward`: a small step during a task;
@@ -28,6 +30,7 @@ export interface ScoreStance {
  */
 export const STEP_KINDS = [
   "walk",
+  "run",
   "turnStep",
   "side",
   "close",
@@ -83,10 +86,89 @@ export interface NoteEvent {
 }
 export type ScoreEvent = WriteEvent | LiftEvent | PlaceEvent | SitEvent | NoteEvent;
 
+/** How an actor goes straight ahead; lengths at the reference leg of 0.93 m. */
+export interface Pace {
+  /** Metres from one footstep to the other foot's next. */
+  length: number;
+  /** Seconds from landing to landing. */
+  time: number;
+  /** Share of a foot's cycle that it is down: over one half walks, under one half runs. */
+  stance: number;
+  /** Metres across, ankle to ankle. */
+  width: number;
+  /** Toe-out, radians. */
+  toeOut: number;
+  /** Times the small variation that people have from step to step; 0 none. */
+  noise: number;
+}
+
+/** Comfortable walking, 1.15 m/s [Perry, Gait Analysis; Winter, Biomechanics]. */
+export const DEFAULT_PACE: Pace = {
+  length: 0.635,
+  time: 0.55,
+  stance: 0.655,
+  width: 0.14,
+  toeOut: 0.1,
+  noise: 1,
+};
+
+/**
+ * How an actor carries the body: what is added to, or multiplies, the neutral walk. Angles in degrees, lengths in metres
+ * at 1.75 m; all 0 (factors 1) is neutral.
+ */
+export interface Mood {
+  /** Trunk forward, head down, shoulders' rounding. */
+  lean: number;
+  head: number;
+  /** Factor on the arms' swing; elbow bend, arms to the side and forward beyond the neutral ones. */
+  swing: number;
+  elbow: number;
+  armsOut: number;
+  armsForward: number;
+  /** Factor on the pelvis' and trunk's turning, on its list and sway. */
+  twist: number;
+  sway: number;
+  /** Rise and fall of the hips beyond the walk's own, lowest as the weight is taken; how much they are lowered. */
+  bounce: number;
+  crouch: number;
+  /** Feet lifted higher in the air, and factors on push-off and heel strike. */
+  lift: number;
+  push: number;
+  strike: number;
+  /** Slow unsteadiness of trunk and arms, degrees. */
+  wobble: number;
+}
+
+export const NEUTRAL: Mood = {
+  lean: 0,
+  head: 0,
+  swing: 1,
+  elbow: 0,
+  armsOut: 0,
+  armsForward: 0,
+  twist: 1,
+  sway: 1,
+  bounce: 0,
+  crouch: 0,
+  lift: 0,
+  push: 1,
+  strike: 1,
+  wobble: 0,
+};
+
 export interface Actor {
   height: number;
   proportions: Proportions;
+  /** Pace and mood where they are not the default. */
+  pace?: Partial<Pace>;
+  mood?: Partial<Mood>;
+  /** The gait's shape, where it is not that of the pace's speed. */
+  shape?: GaitShape;
 }
+
+/** An actor's whole pace and mood. */
+export const paceOf = (actor: Actor): Pace => ({ ...DEFAULT_PACE, ...actor.pace });
+export const moodOf = (actor: Actor): Mood => ({ ...NEUTRAL, ...actor.mood });
 
 export interface Score {
   name: string;

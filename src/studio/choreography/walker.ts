@@ -17,7 +17,15 @@ import { createRandom, type Random } from "../../core/math/random.ts";
 import { pivotPlace } from "../../core/motion/sole.ts";
 import { createSkeleton, type Skeleton } from "../../core/skeleton/skeleton.ts";
 import type { Foot } from "../../core/steps/types.ts";
-import type { Actor, Score, ScoreEvent, ScoreStep, StepKind } from "../score.ts";
+import {
+  type Actor,
+  type Pace,
+  paceOf,
+  type Score,
+  type ScoreEvent,
+  type ScoreStep,
+  type StepKind,
+} from "../score.ts";
 
 const DEG = Math.PI / 180;
 
@@ -30,6 +38,7 @@ export const STANCE = { half: 0.095, toeOut: 7 * DEG, walkingHalf: 0.07 } as con
 /** Seconds in the air, and of double support before it. */
 const TIMES: Record<StepKind, [number, number]> = {
   walk: [0.405, 0.135],
+  run: [0.48, -0.1],
   turnStep: [0.46, 0.15],
   side: [0.42, 0.2],
   close: [0.42, 0.17],
@@ -45,6 +54,8 @@ export interface Walker {
   actor: Actor;
   skeleton: Skeleton;
   scale: number;
+  /** Null: the times of each kind of step are the walker's own. */
+  pace: Pace | null;
   random: Random;
   seed: number;
   time: number;
@@ -68,6 +79,7 @@ export function createWalker(name: string, seed: number, at: GroundPose, actor: 
     actor,
     skeleton,
     scale,
+    pace: actor.pace ? paceOf(actor) : null,
     random: createRandom(seed),
     seed,
     time: 0.9,
@@ -90,10 +102,17 @@ export function standingPair(at: GroundPose, scale: number): Record<Foot, Ground
 
 export const middle = (w: Walker): GroundPose => midPose(w.feet.left, w.feet.right);
 
+/** Seconds in the air and of double support before it (negative: of flight), of a kind of step at the walker's pace. */
+function timesOf(w: Walker, kind: StepKind): readonly [number, number] {
+  if (!w.pace || (kind !== "walk" && kind !== "run")) return TIMES[kind];
+  const air = 2 * w.pace.time * (1 - w.pace.stance);
+  return [air, w.pace.time - air];
+}
+
 /** Lays a step after the last one. */
 export function step(w: Walker, foot: Foot, kind: StepKind, to: GroundPose, slow = 1): ScoreStep {
-  const [air, support] = TIMES[kind];
-  const vary = 1 + 0.025 * w.random.normal();
+  const [air, support] = timesOf(w, kind);
+  const vary = 1 + 0.025 * (w.pace?.noise ?? 1) * w.random.normal();
   const pace = Math.sqrt(w.scale) * slow * (w.carrying ? 1.06 : 1) * vary;
   const pivot = kind === "heelPivot" || kind === "toePivot";
   const place = pivot

@@ -14,7 +14,8 @@ import {
 } from "../../core/math/interpolate.ts";
 import { createRandom } from "../../core/math/random.ts";
 import type { Skeleton } from "../../core/skeleton/skeleton.ts";
-import type { Score } from "../score.ts";
+import { shapeOf } from "../gait-shape.ts";
+import { moodOf, type Score } from "../score.ts";
 import type { FootTrack } from "./feet.ts";
 import type { Gait } from "./gait.ts";
 
@@ -47,8 +48,6 @@ export interface ArmAngles {
   elbow: Float64Array;
 }
 
-/** Hip joint height over a walking half cycle from strike, every 5 % of the cycle, leg lengths. */
-const WALKING_HEIGHT = [0.9515, 0.944, 0.9445, 0.952, 0.9615, 0.971, 0.9765, 0.977, 0.9725, 0.9625];
 /** Standing: a little under full length. */
 const STANDING_HEIGHT = 0.9945;
 
@@ -76,6 +75,9 @@ export function renderBody(
     hipHeight: make(),
   };
   const leg = skeleton.legLength;
+  const scale = skeleton.height / 1.75;
+  const shape = shapeOf(score.actor);
+  const mood = moodOf(score.actor);
   // Facing: the mean of the feet, smooth; chest and head lead it.
   const facing = make();
   // Each foot's own turning is continuous; their mean then never jumps, however far apart they point.
@@ -94,32 +96,38 @@ export function renderBody(
     const t = f / CLIP_RATE;
     const w = gait.phase[f];
     const e = gait.amount[f];
-    b.pelvisYaw[f] = facing[f] + e * -8.5 * DEG * Math.cos(w - 0.43);
-    b.chestYaw[f] = at(facing, t + 0.13) + e * 3.2 * DEG * Math.cos(w - 0.25);
+    b.pelvisYaw[f] = facing[f] + e * mood.twist * -shape.pelvisYaw * DEG * Math.cos(w - shape.pelvisLead);
+    b.chestYaw[f] = at(facing, t + 0.13) + e * mood.twist * shape.chestYaw * DEG * Math.cos(w - 0.25);
     b.headYaw[f] = at(look, t) + e * 0.8 * DEG * Math.cos(w);
-    b.pelvisPitch[f] = e * (2 * DEG + 1.6 * DEG * Math.cos(2 * w - 0.3));
-    b.chestPitch[f] = 1 * DEG + e * (1.2 * DEG + 1.1 * DEG * Math.cos(2 * w - 0.2));
-    b.headPitch[f] = 3 * DEG + e * 1 * DEG * Math.cos(2 * w - 1.6);
-    b.pelvisRoll[f] = e * 3.4 * DEG * (Math.sin(w) + 0.35 * Math.sin(3 * w));
-    b.chestRoll[f] = e * -1.8 * DEG * Math.sin(w + 0.5);
+    b.pelvisPitch[f] =
+      0.25 * mood.lean * DEG + e * (shape.pelvisTilt * DEG + 1.6 * DEG * Math.cos(2 * w - 0.3));
+    b.chestPitch[f] = (1 + mood.lean) * DEG + e * (shape.lean * DEG + 1.1 * DEG * Math.cos(2 * w - 0.2));
+    b.headPitch[f] = (3 + mood.head) * DEG + e * 1 * DEG * Math.cos(2 * w - 1.6);
+    b.pelvisRoll[f] = e * mood.sway * shape.pelvisList * DEG * (Math.sin(w) + 0.35 * Math.sin(3 * w));
+    b.chestRoll[f] = e * mood.sway * -1.8 * DEG * Math.sin(w + 0.5);
     for (let side = 0; side < 2; side++) {
       const p = side === 0 ? w : w + Math.PI;
       const a = b.arms[side];
+      const swing = e * mood.swing;
       a.swing[f] =
-        1 * DEG +
-        e * (-19 * DEG * Math.cos(p) + 1.8 * DEG * Math.cos(2 * p)) +
-        (side === 0 ? e * 0.8 * DEG : 0);
+        (shape.armMean + mood.armsForward) * DEG +
+        swing * (-shape.armSwing * DEG * Math.cos(p) + 1.8 * DEG * Math.cos(2 * p)) +
+        (side === 0 ? swing * 0.8 * DEG : 0);
       a.elbow[f] =
+        mood.elbow * DEG +
         (1 - e) * 15 * DEG +
-        e * (21 * DEG - 14 * DEG * Math.cos(p - 0.19) + 3.4 * DEG * Math.sin(2 * p - 0.9));
-      a.out[f] = 9 * DEG + e * (2 * DEG - 3 * DEG * Math.cos(p));
-      a.turn[f] = 25 * DEG - e * 10 * DEG * Math.cos(p);
+        e * shape.elbowMean * DEG +
+        swing * (-shape.elbowSwing * DEG * Math.cos(p - 0.19) + 3.4 * DEG * Math.sin(2 * p - 0.9));
+      a.out[f] = (9 + mood.armsOut) * DEG + e * (2 * DEG - 3 * mood.swing * DEG * Math.cos(p));
+      a.turn[f] = 25 * DEG - swing * 10 * DEG * Math.cos(p);
     }
     // Two half cycles a cycle: the phase counts from left strikes, half cycles from any.
     const half = w / Math.PI;
-    const walking = readPeriodic(WALKING_HEIGHT, half);
+    const walking = readPeriodic(shape.heights, half);
     const k = Math.min(1, e * 1.05);
-    b.hipHeight[f] = leg * (STANDING_HEIGHT + k * (walking - STANDING_HEIGHT));
+    b.hipHeight[f] =
+      leg * (STANDING_HEIGHT + k * (walking - STANDING_HEIGHT)) -
+      scale * (mood.crouch * (0.35 + 0.65 * k) + k * mood.bounce * (0.5 + 0.5 * Math.cos(2 * w - 0.6)));
   }
   singleSteps(b, feet, gait, skeleton, frames);
   alive(b, score, gait, frames);
@@ -224,7 +232,9 @@ function alive(b: BodyAngles, score: Score, gait: Gait, frames: number): void {
   const start = random.between(0, 2 * Math.PI);
   for (let f = 0; f < frames; f++)
     b.chestPitch[f] -= 0.35 * DEG * Math.sin(start + (2 * Math.PI * 0.25 * f) / CLIP_RATE);
-  const strikes = score.steps.filter((s) => s.kind === "walk" || s.kind === "turnStep").map((s) => s.land);
+  const strikes = score.steps
+    .filter((s) => s.kind === "walk" || s.kind === "turnStep" || s.kind === "run")
+    .map((s) => s.land);
   for (const time of strikes) {
     for (let k = 0; k < 24; k++) {
       const f = Math.ceil(time * CLIP_RATE) + k;

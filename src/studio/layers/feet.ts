@@ -18,7 +18,8 @@ import {
 import { contactsOfPitch, pivotPlace, plantedAnkle } from "../../core/motion/sole.ts";
 import type { FootShape, Skeleton } from "../../core/skeleton/skeleton.ts";
 import type { Foot } from "../../core/steps/types.ts";
-import type { Score, ScoreStance, ScoreStep } from "../score.ts";
+import { type GaitShape, shapeOf } from "../gait-shape.ts";
+import { type Mood, moodOf, type Score, type ScoreStance, type ScoreStep } from "../score.ts";
 
 const DEG = Math.PI / 180;
 
@@ -47,29 +48,18 @@ interface Move extends ScoreStep {
   strike: number;
 }
 
-/** Foot pitch at lift-off and strike of a full walking step, radians. */
-const PUSH = -64 * DEG;
-const STRIKE = 21 * DEG;
-/** Shares of the lift-off pitch and the strike pitch over the swing, in tenths. */
-const PUSH_OVER_SWING = [1, 1.05, 0.97, 0.81, 0.6, 0.4, 0.21, 0.07, 0.01, 0, 0];
-const STRIKE_OVER_SWING = [0, 0, 0, 0, 0, 0, 0.08, 0.32, 0.72, 0.96, 1];
-/** Share of the way over the swing, in tenths. */
-const WAY = [0, 0.09, 0.18, 0.27, 0.37, 0.49, 0.61, 0.74, 0.86, 0.95, 1];
-/** Ankle height over the straight line between its ends, in tenths, metres at a leg of 0.93 m and a full step. */
-const RISE = [0, 0.0347, 0.0554, 0.0551, 0.0378, 0.0105, -0.0168, -0.0311, -0.0214, -0.0047, 0];
-
-const isWalk = (s: ScoreStep): boolean => s.kind === "walk" || s.kind === "turnStep";
+const isWalk = (s: ScoreStep): boolean => s.kind === "walk" || s.kind === "turnStep" || s.kind === "run";
 const isPivot = (s: ScoreStep): boolean => s.kind === "heelPivot" || s.kind === "toePivot";
 
-function movesOf(score: Score, foot: Foot, leg: number): Move[] {
+function movesOf(score: Score, foot: Foot, leg: number, gait: GaitShape, mood: Mood): Move[] {
   let from: ScoreStance = score.start[foot];
   return score.steps
     .filter((s) => s.foot === foot)
     .map((s) => {
       const reach = Math.hypot(s.x - from.x, s.z - from.z) / leg;
       const turn = Math.abs(wrapAngle(s.yaw - from.yaw));
-      // A full walking step carries the foot 1.3 leg lengths; shorter and turning ones roll less.
-      const size = unit(reach / 1.2);
+      // Shorter and turning steps roll less than a full one.
+      const size = unit(reach / gait.full);
       // Backwards the foot neither pushes off behind nor strikes with the heel.
       const ahead = Math.cos(
         wrapAngle(Math.atan2(s.x - from.x, s.z - from.z) - from.yaw - wrapAngle(s.yaw - from.yaw) / 2),
@@ -80,9 +70,11 @@ function movesOf(score: Score, foot: Foot, leg: number): Move[] {
         from,
         reach,
         push: isWalk(s)
-          ? (0.3 + 0.7 * size) * (0.35 + 0.65 * forwardness) * (1 - 0.25 * unit(turn / 1.2))
+          ? mood.push * (0.3 + 0.7 * size) * (0.35 + 0.65 * forwardness) * (1 - 0.25 * unit(turn / 1.2))
           : 0.28 + 0.25 * unit(reach / 0.6),
-        strike: isWalk(s) ? (0.1 + 0.9 * size * size) * forwardness * (1 - 0.6 * unit(turn / 1.2)) : 0,
+        strike: isWalk(s)
+          ? mood.strike * (0.1 + 0.9 * size * size) * forwardness * (1 - 0.6 * unit(turn / 1.2))
+          : 0,
       };
       from = { x: s.x, z: s.z, yaw: s.yaw };
       return move;
@@ -90,9 +82,9 @@ function movesOf(score: Score, foot: Foot, leg: number): Move[] {
 }
 
 /** Pitch of the foot at lift-off and at landing of a move. */
-const liftPitch = (m: Move): number =>
+const liftPitch = (m: Move, gait: GaitShape): number =>
   isWalk(m)
-    ? PUSH * m.push
+    ? gait.push * DEG * m.push
     : m.kind === "slide"
       ? 0
       : m.kind === "heelPivot"
@@ -100,19 +92,21 @@ const liftPitch = (m: Move): number =>
         : m.kind === "toePivot"
           ? -9 * DEG
           : -40 * DEG * m.push;
-const landPitch = (m: Move): number =>
+const landPitch = (m: Move, gait: GaitShape): number =>
   isWalk(m)
-    ? STRIKE * m.strike + (m.strike < 0.12 ? -5 * DEG * (1 - m.strike / 0.12) : 0)
+    ? gait.strike * DEG * m.strike + (m.strike < 0.12 ? -5 * DEG * (1 - m.strike / 0.12) : 0)
     : m.kind === "slide"
       ? 0
       : isPivot(m)
-        ? liftPitch(m)
+        ? liftPitch(m, gait)
         : -7 * DEG;
 
 /** Renders one foot. */
 export function renderFoot(score: Score, foot: Foot, skeleton: Skeleton, frames: number): FootTrack {
   const shape = skeleton.foot;
   const leg = skeleton.legLength;
+  const gait = shapeOf(score.actor);
+  const mood = moodOf(score.actor);
   const track: FootTrack = {
     ankle: new Float64Array(3 * frames),
     yaw: new Float64Array(frames),
@@ -123,8 +117,8 @@ export function renderFoot(score: Score, foot: Foot, skeleton: Skeleton, frames:
     swing: new Float64Array(frames),
     turning: new Uint8Array(frames),
   };
-  const moves = movesOf(score, foot, leg);
-  stancePitch(track.pitch, moves, frames);
+  const moves = movesOf(score, foot, leg, gait, mood);
+  stancePitch(track.pitch, moves, frames, gait);
   const out = new Float64Array(3);
   let k = 0;
   for (let f = 0; f < frames; f++) {
@@ -158,7 +152,7 @@ export function renderFoot(score: Score, foot: Foot, skeleton: Skeleton, frames:
       track.turning[f] = 1;
     }
   }
-  for (const m of moves) if (!isPivot(m) && m.kind !== "slide") swing(track, m, skeleton, moves);
+  for (const m of moves) if (!isPivot(m) && m.kind !== "slide") swing(track, m, skeleton, gait, mood);
   return track;
 }
 
@@ -180,7 +174,7 @@ function down(
 }
 
 /** Pitch over all frames: stance from strike to lift-off, pivots, and the swing's shape between. */
-function stancePitch(pitch: Float64Array, moves: readonly Move[], frames: number): void {
+function stancePitch(pitch: Float64Array, moves: readonly Move[], frames: number, gait: GaitShape): void {
   let landed = Number.NEGATIVE_INFINITY;
   let before: Move | null = null;
   for (let k = 0; k <= moves.length; k++) {
@@ -189,20 +183,21 @@ function stancePitch(pitch: Float64Array, moves: readonly Move[], frames: number
     const last = m ? Math.min(frames - 1, Math.ceil(lift * CLIP_RATE) - 1) : frames - 1;
     const room = lift - landed;
     const flatAfter = before
-      ? Math.min(isPivot(before) ? 0.13 : isWalk(before) ? 0.068 : 0.08, 0.35 * room)
+      ? Math.min(isPivot(before) ? 0.13 : isWalk(before) ? gait.flat : 0.08, 0.35 * room)
       : 0;
-    const cycle = m && !isPivot(m) ? (m.land - m.lift) / 0.36 : 1;
-    const rise = m ? Math.min(isPivot(m) ? 0.14 : isWalk(m) ? 0.24 * cycle : 0.24, 0.6 * room) : 0;
+    const air = m ? m.land - m.lift : 0;
+    const rise = m ? Math.min(isPivot(m) ? 0.14 : isWalk(m) ? gait.heelRise * air : 0.24, 0.6 * room) : 0;
     for (let f = Math.max(0, Math.ceil(landed * CLIP_RATE - 1e-6)); f <= last; f++) {
       const t = f / CLIP_RATE;
       let p = 0;
       if (before && t < landed + flatAfter) {
         const u = (t - landed) / flatAfter;
-        p += landPitch(before) * (isPivot(before) ? 1 - smoothstep(u) : (1 - u) * (1 - u) * (1 + 0.8 * u));
+        p +=
+          landPitch(before, gait) * (isPivot(before) ? 1 - smoothstep(u) : (1 - u) * (1 - u) * (1 + 0.8 * u));
       }
       if (m && t > lift - rise) {
         const u = (t - (lift - rise)) / rise;
-        p += liftPitch(m) * (isPivot(m) ? smoothstep(u) : u ** 2.2);
+        p += liftPitch(m, gait) * (isPivot(m) ? smoothstep(u) : u ** (isWalk(m) ? gait.heelPower : 2.2));
       }
       pitch[f] = p;
     }
@@ -214,8 +209,9 @@ function stancePitch(pitch: Float64Array, moves: readonly Move[], frames: number
     ) {
       const u = (f / CLIP_RATE - lift) / (m.land - lift);
       pitch[f] = isPivot(m)
-        ? liftPitch(m)
-        : liftPitch(m) * readKeys(PUSH_OVER_SWING, u) + landPitch(m) * readKeys(STRIKE_OVER_SWING, u);
+        ? liftPitch(m, gait)
+        : liftPitch(m, gait) * readKeys(gait.pushOverSwing, u) +
+          landPitch(m, gait) * readKeys(gait.strikeOverSwing, u);
     }
     landed = m.land;
     before = m;
@@ -225,7 +221,7 @@ function stancePitch(pitch: Float64Array, moves: readonly Move[], frames: number
 }
 
 /** The airborne path between the exact ends, with clearance; fills ankle, yaw and toe bend. */
-function swing(track: FootTrack, m: Move, skeleton: Skeleton, _moves: readonly Move[]): void {
+function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, mood: Mood): void {
   const shape = skeleton.foot;
   const leg = skeleton.legLength;
   const scale = leg / 0.93;
@@ -255,14 +251,15 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, _moves: readonly M
   const v1 = walk
     ? [0.25 * forward[0] * m.strike, -0.2 * scale, 0.25 * forward[2] * m.strike]
     : [0, -0.12 * scale, 0];
-  const size = walk ? 0.35 + 0.65 * unit(m.reach / 1.13) : 0;
-  const hump = walk ? 0.02 * (1 - size) : m.kind === "close" || m.kind === "side" ? 0.05 : 0.045;
+  const size = walk ? 0.35 + 0.65 * unit(m.reach / gait.full) : 0;
+  const hump = walk ? 0.02 * (1 - size) + mood.lift : m.kind === "close" || m.kind === "side" ? 0.05 : 0.045;
   const turn = wrapAngle(m.yaw - m.from.yaw);
   const rawSpeed = (at: 0 | 1) => {
     const h = 1e-3;
     const a = at === 0 ? 0 : 1 - h;
-    const share = (u: number) => (walk ? readKeys(WAY, u) : minimumJerk(u));
-    const rise = (u: number) => (walk ? readKeys(RISE, u) * size * scale : 0) + hump * scale * humpShape(u);
+    const share = (u: number) => (walk ? readKeys(gait.way, u) : minimumJerk(u));
+    const rise = (u: number) =>
+      (walk ? readKeys(gait.rise, u) * size * scale : 0) + hump * scale * humpShape(u);
     const ds = (share(a + h) - share(a)) / h / d;
     const dr = (rise(a + h) - rise(a)) / h / d;
     return [ds * (p1[0] - p0[0]), ds * (p1[1] - p0[1]) + dr, ds * (p1[2] - p0[2])];
@@ -275,8 +272,8 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, _moves: readonly M
   for (let i = 0; i < n; i++) {
     const f = first + i;
     const u = unit((f / CLIP_RATE - m.lift) / d);
-    const s = walk ? readKeys(WAY, u) : minimumJerk(u);
-    const rise = (walk ? readKeys(RISE, u) * size * scale : 0) + hump * scale * humpShape(u);
+    const s = walk ? readKeys(gait.way, u) : minimumJerk(u);
+    const rise = (walk ? readKeys(gait.rise, u) * size * scale : 0) + hump * scale * humpShape(u);
     const k0 = d * u * (1 - u) ** 6;
     const k1 = d * (1 - u) * u ** 4;
     for (let c = 0; c < 3; c++) {

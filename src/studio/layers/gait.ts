@@ -6,6 +6,7 @@
 import { CLIP_RATE } from "../../core/capture/clip.ts";
 import { wrapAngle } from "../../core/math/angle.ts";
 import { smoothstep, unit } from "../../core/math/interpolate.ts";
+import { shapeOf } from "../gait-shape.ts";
 import type { Score, ScoreStep } from "../score.ts";
 
 export interface Gait {
@@ -26,10 +27,11 @@ const LONGEST = 0.95;
 
 /** Phase and amount over the frames of a score. */
 export function renderGait(score: Score, leg: number, frames: number): Gait {
+  const { full } = shapeOf(score.actor);
   const phase = new Float64Array(frames);
   const amount = new Float64Array(frames);
   const walks = score.steps
-    .filter((s) => s.kind === "walk" || s.kind === "turnStep")
+    .filter((s) => s.kind === "walk" || s.kind === "turnStep" || s.kind === "run")
     .sort((a, b) => a.land - b.land);
   const groups: ScoreStep[][] = [];
   for (const s of walks) {
@@ -48,7 +50,10 @@ export function renderGait(score: Score, leg: number, frames: number): Gait {
     const turn = Math.abs(wrapAngle(s.yaw - from.yaw));
     const way = Math.hypot(s.x - from.x, s.z - from.z);
     const ahead = way < 1e-6 ? 1 : Math.cos(wrapAngle(Math.atan2(s.x - from.x, s.z - from.z) - s.yaw));
-    sizes.set(s, unit(way / (1.25 * leg)) * (ahead < 0 ? 0.6 : 1) * (1 - 0.35 * unit(turn)));
+    sizes.set(
+      s,
+      unit(way / (Math.min(1.25, 1.12 * full) * leg)) * (ahead < 0 ? 0.6 : 1) * (1 - 0.35 * unit(turn)),
+    );
     place[s.foot] = s;
   }
   for (const group of groups) {

@@ -8,7 +8,8 @@
 import { CLIP_RATE } from "../../core/capture/clip.ts";
 import { gaussian, readMonotone } from "../../core/math/interpolate.ts";
 import type { Skeleton } from "../../core/skeleton/skeleton.ts";
-import type { Score } from "../score.ts";
+import { type GaitShape, shapeOf } from "../gait-shape.ts";
+import type { Score, ScoreStep } from "../score.ts";
 import type { FootTrack } from "./feet.ts";
 
 export interface Pressure {
@@ -20,14 +21,10 @@ export interface Pressure {
 
 /** Metres ahead of the ankle at a foot of 0.125 m from ankle to ball. */
 const STANDING = 0.04;
-const STRIKE = -0.01;
-const FLAT = 0.005;
-const MIDDLE = 0.012;
-const HEEL_OFF = 0.13;
-const TOE_OFF = 0.15;
-const OUTWARD = 0.012;
 /** Share on the standing foot while the other pivots. */
 const PIVOT_SHARE = 0.8;
+
+const isWalk = (s: ScoreStep): boolean => s.kind === "walk" || s.kind === "turnStep" || s.kind === "run";
 
 /** The plan of pressure over the frames of a score. */
 export function planPressure(
@@ -36,10 +33,11 @@ export function planPressure(
   skeleton: Skeleton,
   frames: number,
 ): Pressure {
-  const left = shares(score, frames);
+  const gait = shapeOf(score.actor);
+  const left = shares(score, frames, gait);
   const point = new Float64Array(2 * frames);
   const scale = skeleton.foot.ballForward / 0.125;
-  const along = [0, 1].map((side) => footProgress(score, side === 0 ? "left" : "right", frames));
+  const along = [0, 1].map((side) => footProgress(score, side === 0 ? "left" : "right", frames, gait));
   for (let f = 0; f < frames; f++) {
     for (let side = 0; side < 2; side++) {
       const w = side === 0 ? left[f] : 1 - left[f];
@@ -49,7 +47,7 @@ export function planPressure(
       const x = t.turning[f] ? t.ankle[3 * f] : t.rest[3 * f];
       const z = t.turning[f] ? t.ankle[3 * f + 2] : t.rest[3 * f + 1];
       const ahead = along[side][f] * scale;
-      const out = (side === 0 ? OUTWARD : -OUTWARD) * scale;
+      const out = (side === 0 ? gait.outward : -gait.outward) * scale;
       point[2 * f] += w * (x + Math.sin(yaw) * ahead + Math.cos(yaw) * out);
       point[2 * f + 1] += w * (z + Math.cos(yaw) * ahead - Math.sin(yaw) * out);
     }
@@ -59,7 +57,8 @@ export function planPressure(
 }
 
 /** How far ahead of the ankle the pressure is under a foot, metres. */
-function footProgress(score: Score, foot: "left" | "right", frames: number): Float64Array {
+function footProgress(score: Score, foot: "left" | "right", frames: number, gait: GaitShape): Float64Array {
+  const [strike, flat, middle, heelOff, toeOff] = gait.pressure;
   const out = new Float64Array(frames).fill(STANDING);
   const steps = score.steps.filter((s) => s.foot === foot);
   for (let k = 0; k <= steps.length; k++) {
@@ -68,24 +67,24 @@ function footProgress(score: Score, foot: "left" | "right", frames: number): Flo
     const from = before ? before.land : 0;
     const to = after ? after.lift : frames / CLIP_RATE;
     const times = [from];
-    const values = [before && (before.kind === "walk" || before.kind === "turnStep") ? STRIKE : STANDING];
-    const push = after && (after.kind === "walk" || after.kind === "turnStep");
+    const values = [before && isWalk(before) ? strike : STANDING];
+    const push = after && isWalk(after);
     const room = to - from;
     if (room > 0.25) {
       times.push(from + 0.07);
-      values.push(before ? FLAT : STANDING);
+      values.push(before ? flat : STANDING);
       if (room < 1.1) {
         times.push(from + 0.45 * room);
-        values.push(push ? MIDDLE : STANDING);
+        values.push(push ? middle : STANDING);
       } else {
         times.push(from + 0.45, to - 0.45);
         values.push(STANDING, STANDING);
       }
       times.push(Math.max(from + 0.5 * room, to - 0.17));
-      values.push(push ? HEEL_OFF : STANDING);
+      values.push(push ? heelOff : STANDING);
     }
     times.push(to);
-    values.push(push ? TOE_OFF : STANDING);
+    values.push(push ? toeOff : STANDING);
     for (let f = Math.max(0, Math.ceil(from * CLIP_RATE)); f < Math.min(frames, to * CLIP_RATE); f++)
       out[f] = readMonotone(times, values, f / CLIP_RATE);
   }
@@ -93,7 +92,7 @@ function footProgress(score: Score, foot: "left" | "right", frames: number): Flo
 }
 
 /** The left foot's share of the weight. */
-function shares(score: Score, frames: number): Float64Array {
+function shares(score: Score, frames: number, gait: GaitShape): Float64Array {
   const times: number[] = [];
   const values: number[] = [];
   const add = (t: number, v: number) => {
@@ -121,7 +120,7 @@ function shares(score: Score, frames: number): Float64Array {
       const before = values[values.length - 1];
       if (before === share && gap > 0.1) add(landed + gap / 2, share + (0.5 - share) * 0.35);
       // Over to the front foot between its landing and just before the other leaves.
-      add(Math.max(landed + 0.35 * gap, s.lift - 0.03), share);
+      add(Math.max(landed + gait.passOver * gap, s.lift - 0.03), share);
     } else add(s.lift - 0.03, share);
     add(s.land, share);
     landed = Math.max(landed, s.land);
