@@ -371,8 +371,11 @@ export function sideStepTo(w: Walker, place: GroundPose, most = 0.44): void {
 export function shuffleTo(w: Walker, place: GroundPose, first: Foot): void {
   const pair = standingPair(place, w.scale);
   const ahead = toLocal(middle(w), place).z > 0;
-  step(w, first, ahead ? "forward" : "backward", pair[first]);
-  step(w, other(first), ahead ? "forward" : "backward", pair[other(first)]);
+  for (const foot of [first, other(first)]) {
+    const turn = Math.abs(wrapAngle(pair[foot].yaw - w.feet[foot].yaw));
+    if (groundDistance(w.feet[foot], pair[foot]) < 0.02 && turn < 4 * DEG) continue;
+    step(w, foot, ahead ? "forward" : "backward", pair[foot]);
+  }
 }
 
 /** The finished score. */

@@ -247,17 +247,19 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, m
   const p1 = end(m, pitch1);
   const v0 = p0.map((v, i) => (v - p0b[i]) / 0.002);
   const walk = isWalk(m);
+  // A small step leaves the ground with some speed, as a foot does that is picked up.
+  if (!walk) v0[1] = Math.max(v0[1], 0.32 * scale);
   const forward = [Math.sin(m.yaw), 0, Math.cos(m.yaw)];
   const v1 = walk
     ? [0.25 * forward[0] * m.strike, -0.2 * scale, 0.25 * forward[2] * m.strike]
-    : [0, -0.12 * scale, 0];
+    : [0, -0.22 * scale, 0];
   const size = walk ? 0.35 + 0.65 * unit(m.reach / gait.full) : 0;
-  const hump = walk ? 0.02 * (1 - size) + mood.lift : m.kind === "close" || m.kind === "side" ? 0.05 : 0.045;
+  const hump = walk ? 0.06 * (1 - size) + mood.lift : 0.062;
   const turn = wrapAngle(m.yaw - m.from.yaw);
   const rawSpeed = (at: 0 | 1) => {
     const h = 1e-3;
     const a = at === 0 ? 0 : 1 - h;
-    const share = (u: number) => (walk ? readKeys(gait.way, u) : minimumJerk(u));
+    const share = (u: number) => (walk ? readKeys(gait.way, u) : smallWay(u));
     const rise = (u: number) =>
       (walk ? readKeys(gait.rise, u) * size * scale : 0) + hump * scale * humpShape(u);
     const ds = (share(a + h) - share(a)) / h / d;
@@ -272,7 +274,7 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, m
   for (let i = 0; i < n; i++) {
     const f = first + i;
     const u = unit((f / CLIP_RATE - m.lift) / d);
-    const s = walk ? readKeys(gait.way, u) : minimumJerk(u);
+    const s = walk ? readKeys(gait.way, u) : smallWay(u);
     const rise = (walk ? readKeys(gait.rise, u) * size * scale : 0) + hump * scale * humpShape(u);
     const k0 = d * u * (1 - u) ** 6;
     const k1 = d * (1 - u) * u ** 4;
@@ -302,7 +304,16 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, m
   }
 }
 
-const humpShape = (u: number): number => (u <= 0 || u >= 1 ? 0 : (u ** 1.5 * (1 - u) ** 2) / 0.1847);
+/** A small step's lift: quick off the ground and quick down, so that the foot is seen to leave and to land. */
+const humpShape = (u: number): number =>
+  u <= 0 || u >= 1 ? 0 : (u ** HUMP_UP * (1 - u) ** HUMP_DOWN) / HUMP_TOP;
+const HUMP_UP = 1.15;
+const HUMP_DOWN = 1.12;
+const HUMP_TOP =
+  (HUMP_UP / (HUMP_UP + HUMP_DOWN)) ** HUMP_UP * (HUMP_DOWN / (HUMP_UP + HUMP_DOWN)) ** HUMP_DOWN;
+
+/** Share of the way of a small step: minimum jerk, livelier at its ends. */
+const smallWay = (u: number): number => 0.35 * minimumJerk(u) + 0.65 * smoothstep(u);
 
 /** Height of the lowest of heel point and ball sole against the ankle joint, at a pitch. */
 function lowest(shape: FootShape, pitch: number): number {
