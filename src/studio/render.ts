@@ -26,6 +26,7 @@ import type { ContactTrack } from "../core/steps/types.ts";
 import { type BodyAngles, renderBody } from "./layers/body.ts";
 import { pendulum, zeroMomentPoint } from "./layers/centre-of-mass.ts";
 import { type FootTrack, renderFoot } from "./layers/feet.ts";
+import { ballisticHeight, flightFrames, loadFactor } from "./layers/flight.ts";
 import { renderGait } from "./layers/gait.ts";
 import { planPressure } from "./layers/pressure.ts";
 import { createTaskLayer, handsOnBox, renderTasks, SEAT_UNDER_HIPS, type TaskLayer } from "./layers/tasks.ts";
@@ -41,6 +42,8 @@ export interface Rendered {
 const MOST_CORRECTION = 0.09;
 /** Rounds of correcting the pelvis by the whole body's zero-moment point. */
 const ROUNDS = 4;
+/** Under this share of the weight on the feet there is no zero-moment point to speak of. */
+const LIGHT = 0.3;
 const LEAST_KNEE = (3.5 * Math.PI) / 180;
 const Q = 4 * JOINT_COUNT;
 
@@ -71,7 +74,10 @@ export function renderScore(score: Score): Rendered {
   const centre = new Float64Array(3 * frames);
   const height = new Float64Array(frames);
   for (let f = 0; f < frames; f++) height[f] = body.hipHeight[f] + 0.05 * skeleton.height;
-  const way = pendulum(pressure.point, height, tasks.pins);
+  const flight = flightFrames(feet, frames);
+  let weight = flight ? loadFactor(ballisticHeight(height, flight)) : null;
+  const way = pendulum(pressure.point, height, tasks.pins, weight);
+  const wished = Float64Array.from(body.hipHeight);
   smoothJoins(way, tasks.pins.pinned);
   trunkRotations(clip, body, skeleton);
   for (let round = 0; ; round++) {
@@ -80,15 +86,32 @@ export function renderScore(score: Score): Rendered {
     if (round === ROUNDS) break;
     const load = tasks.load.share.some((s) => s > 0) ? tasks.load : null;
     const q = zeroMomentPoint(positions, JOINT_COUNT, frames, centre, load);
+    if (flight) {
+      // The whole body falls freely in flight, not the pelvis alone.
+      const wish = Float64Array.from(
+        { length: frames },
+        (_, f) => centre[3 * f + 1] + wished[f] + hipsOver(body, skeleton, f) - clip.root[3 * f + 1],
+      );
+      const fallen = ballisticHeight(wish, flight);
+      for (let f = 0; f < frames; f++) body.hipHeight[f] = wished[f] + fallen[f] - wish[f];
+      weight = loadFactor(fallen);
+      for (let f = 0; f < frames; f++) {
+        if (weight[f] >= LIGHT) continue;
+        q[2 * f] = pressure.point[2 * f];
+        q[2 * f + 1] = pressure.point[2 * f + 1];
+      }
+    }
     // A leg out of reach throws its zero-moment point far off: one round believes a hand's breadth at most.
     for (let k = 0; k < q.length; k++)
       q[k] = Math.max(-MOST_CORRECTION, Math.min(MOST_CORRECTION, pressure.point[k] - q[k]));
     for (let f = 0; f < frames; f++) if (tasks.pins.pinned[f]) q[2 * f] = q[2 * f + 1] = 0;
     gaussian(q, 2, 2);
-    const correction = pendulum(q, height, {
-      pinned: tasks.pins.pinned,
-      place: new Float64Array(2 * frames),
-    });
+    const correction = pendulum(
+      q,
+      height,
+      { pinned: tasks.pins.pinned, place: new Float64Array(2 * frames) },
+      weight,
+    );
     smoothJoins(correction, tasks.pins.pinned);
     for (let k = 0; k < way.length; k++) way[k] += correction[k];
   }
@@ -198,6 +221,11 @@ function trunkRotations(clip: Clip, body: BodyAngles, _skeleton: Skeleton): void
   }
 }
 
+/** The hips joint over the middle of the hip joints, metres. */
+function hipsOver(body: BodyAngles, skeleton: Skeleton, f: number): number {
+  return -skeleton.offsets[3 * J.leftUpperLeg + 1] * Math.cos(body.pelvisPitch[f]);
+}
+
 /** The hips' place: over the way of the mass, at the walk's height, lowered softly where a leg would not reach. */
 function placeHips(
   clip: Clip,
@@ -213,9 +241,8 @@ function placeHips(
   const need = new Float64Array(clip.frames);
   const v = new Float64Array(3);
   for (let f = 0; f < clip.frames; f++) {
-    const drop = -o[3 * J.leftUpperLeg + 1];
     clip.root[3 * f] = way[2 * f];
-    clip.root[3 * f + 1] = body.hipHeight[f] + drop * Math.cos(body.pelvisPitch[f]);
+    clip.root[3 * f + 1] = body.hipHeight[f] + hipsOver(body, skeleton, f);
     clip.root[3 * f + 2] = way[2 * f + 1];
     for (let side = 0; side < 2; side++) {
       const hip = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;

@@ -18,8 +18,14 @@ export interface Pins {
  * Way of the centre of mass over a planned zero-moment point: x, z a frame.
  *
  * @param point x, z a frame. @param height of the centre of mass, metres, a frame.
+ * @param load upward acceleration over gravity a frame (1 at rest, 0 in flight); null: 1.
  */
-export function pendulum(point: Float64Array, height: Float64Array, pins: Pins | null): Float64Array {
+export function pendulum(
+  point: Float64Array,
+  height: Float64Array,
+  pins: Pins | null,
+  load: Float64Array | null = null,
+): Float64Array {
   const n = height.length;
   const out = new Float64Array(2 * n);
   const a = new Float64Array(n);
@@ -37,7 +43,7 @@ export function pendulum(point: Float64Array, height: Float64Array, pins: Pins |
         d[f] = pins?.pinned[f] ? pins.place[2 * f + axis] : p;
         continue;
       }
-      const w2 = G / Math.max(0.3, height[f]);
+      const w2 = ((load ? load[f] : 1) * G) / Math.max(0.3, height[f]);
       // x'' - w^2 x = -w^2 p
       a[f] = h2;
       c[f] = h2;

@@ -116,6 +116,12 @@ function shares(score: Score, frames: number, gait: GaitShape): Float64Array {
       // Towards the foot that will swing first.
       if (!pivot) add(s.lift - ahead + 0.14, 0.5 - (stands - 0.5) * 0.3);
       add(s.lift - 0.03, share);
+    } else if (gap < 0) {
+      // In flight the weight is on neither: it is handed over between the lift and the landing.
+      const before = values.pop() ?? share;
+      times.pop();
+      add(s.lift, before);
+      add(landed, share);
     } else if (landed > Number.NEGATIVE_INFINITY) {
       const before = values[values.length - 1];
       if (before === share && gap > 0.1) add(landed + gap / 2, share + (0.5 - share) * 0.35);

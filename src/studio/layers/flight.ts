@@ -1,0 +1,70 @@
+/**
+ * Flight: while no foot is down the centre of mass falls freely; while one is, it follows the gait's own rise and fall.
+ *
+ * The height that the posed body has is the wish; the height answered is the nearest one, in the least-squares sense,
+ * whose acceleration is -g wherever the body is unsupported and as smooth as the wish elsewhere.
+ */
+import { CLIP_RATE } from "../../core/capture/clip.ts";
+import { factorBand, solveBand } from "../../core/optimize/banded-cholesky.ts";
+import type { FootTrack } from "./feet.ts";
+
+const G = 9.81;
+/** Weights of following the wish, of its second difference, and of falling freely in flight. */
+const FOLLOW = 1;
+const SMOOTH = 60;
+const FALL = 4e4;
+
+/** Frames in which neither foot touches: 1; null when there is none. */
+export function flightFrames(feet: readonly [FootTrack, FootTrack], frames: number): Uint8Array | null {
+  const out = new Uint8Array(frames);
+  let any = false;
+  for (let f = 0; f < frames; f++) {
+    if (feet[0].contacts[f] !== 0 || feet[1].contacts[f] !== 0) continue;
+    if (feet[0].swing[f] === 0 || feet[1].swing[f] === 0) continue;
+    out[f] = 1;
+    any = true;
+  }
+  return any ? out : null;
+}
+
+/**
+ * Height of the centre of mass that falls freely in flight and stays near the wish.
+ *
+ * @param wish height a frame, metres. @param flight from `flightFrames`.
+ * @returns height a frame, metres.
+ */
+export function ballisticHeight(wish: Float64Array, flight: Uint8Array): Float64Array {
+  const n = wish.length;
+  const fall = -G / (CLIP_RATE * CLIP_RATE);
+  // Normal equations of a pentadiagonal least-squares problem: rows d2 y = target, weight w.
+  const band = new Float64Array(3 * n);
+  const right = new Float64Array(n);
+  for (let f = 0; f < n; f++) {
+    const w = flight[f] ? 0 : FOLLOW;
+    band[3 * f] += w + 1e-6;
+    right[f] += (w + 1e-6) * wish[f];
+    if (f === 0 || f === n - 1) continue;
+    const weight = flight[f] ? FALL : SMOOTH;
+    const target = flight[f] ? fall : wish[f - 1] - 2 * wish[f] + wish[f + 1];
+    const c = [1, -2, 1];
+    for (let a = 0; a < 3; a++) {
+      const i = f - 1 + a;
+      right[i] += weight * c[a] * target;
+      for (let b = 0; b <= a; b++) band[3 * i + (a - b)] += weight * c[a] * c[b];
+    }
+  }
+  factorBand(band, n, 3, 1e-9);
+  solveBand(band, n, 3, right);
+  return right;
+}
+
+/** Upward acceleration over gravity of a height track: 1 at rest, 0 in free fall. */
+export function loadFactor(height: Float64Array): Float64Array {
+  const n = height.length;
+  const out = new Float64Array(n).fill(1);
+  for (let f = 1; f < n - 1; f++) {
+    const a = (height[f - 1] - 2 * height[f] + height[f + 1]) * CLIP_RATE * CLIP_RATE;
+    out[f] = Math.max(0, Math.min(4, 1 + a / G));
+  }
+  return out;
+}
