@@ -45,9 +45,12 @@ export function straightScore(options: StraightOptions): Score {
     foot = other(foot);
   };
   const vary = () => 1 + 0.012 * pace.noise * w.random.normal();
-  lay(pace.length * 0.78, 1.1);
+  lay(pace.length * (kind === "run" ? 0.5 : 0.78), 1.1);
+  // A runner takes some steps to come up to speed, and to slow down.
+  if (kind === "run") for (const share of [0.72, 0.9]) lay(pace.length * share, 1);
   for (let k = 0; k < options.steps; k++) lay(pace.length * vary(), 1);
-  lay(pace.length * 0.82, 1.05);
+  if (kind === "run") for (const share of [0.9, 0.72]) lay(pace.length * share, 1);
+  lay(pace.length * (kind === "run" ? 0.5 : 0.82), 1.05);
   // Beside the other foot.
   step(
     w,

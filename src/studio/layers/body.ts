@@ -241,7 +241,7 @@ function alive(b: BodyAngles, score: Score, gait: Gait, frames: number): void {
       if (f >= frames) break;
       const t = f / CLIP_RATE - time;
       const e = gait.amount[f];
-      const ring = e * Math.exp(-t / 0.07) * Math.sin(2 * Math.PI * 6.5 * t) * smoothstep(t / 0.02);
+      const ring = 0.6 * e * Math.exp(-t / 0.07) * Math.sin(2 * Math.PI * 6.5 * t) * smoothstep(t / 0.02);
       b.hipHeight[f] -= 0.0032 * ring;
       b.chestPitch[f] += 0.9 * DEG * ring;
       if (f + 2 < frames) b.headPitch[f + 2] += 0.5 * DEG * ring;
