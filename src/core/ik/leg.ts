@@ -114,7 +114,7 @@ export function solveLeg(
 }
 
 /** World rotation with the given X and Y axes (square to each other, unit). */
-function basisAlong(
+export function basisAlong(
   out: Float64Array,
   o: number,
   xx: number,

@@ -2,10 +2,12 @@
  * Second pass of the synthesis: the legs closed onto the feet, the hands led to their tasks, the trunk helping where an
  * arm is too short [TaskLoco §6, Figure 12].
  */
-import { solveLeg } from "../ik/leg.ts";
+import { basisAlong, solveLeg } from "../ik/leg.ts";
 import { bendTrunk } from "../ik/trunk.ts";
 import { solveTwoBone } from "../ik/two-bone.ts";
+import { smoothstep } from "../math/interpolate.ts";
 import {
+  quatBetween,
   quatFromAxisAngle,
   quatInverseMultiply,
   quatMultiply,
@@ -35,6 +37,7 @@ export interface LimbWorkspace {
   root: Float64Array;
   hints: Float64Array;
   q: Float64Array;
+  hinge: Float64Array;
 }
 
 export function createLimbWorkspace(): LimbWorkspace {
@@ -45,6 +48,7 @@ export function createLimbWorkspace(): LimbWorkspace {
     root: new Float64Array(3),
     hints: new Float64Array(12),
     q: new Float64Array(8),
+    hinge: new Float64Array(4),
   };
 }
 
@@ -79,9 +83,28 @@ export function closeLegs(w: LimbWorkspace, track: BodyTrack, frame: number, ske
     for (let k = 0; k < 4; k++) w.world[4 * foot + k] = track.feet[o + 3 + k];
     quatInverseMultiply(w.pose, 4 * foot, w.world, 4 * (upper + 1), w.world, 4 * foot);
     quatNormalize(w.pose, 4 * foot);
+    if (((track.contacts[frame] >> (2 * side)) & 3) === 0) relaxAnkle(w, foot, skeleton);
     quatFromAxisAngle(w.pose, 4 * (foot + 1), 1, 0, 0, -track.feet[o + 7]);
     quatMultiply(w.world, 4 * (foot + 1), w.world, 4 * foot, w.pose, 4 * (foot + 1));
   }
+}
+
+/** Dorsiflexion from which on an ankle in the air gives way, and how far beyond it at most; radians. */
+const EASY_ANKLE = (30 * Math.PI) / 180;
+const ANKLE_GIVE = (10 * Math.PI) / 180;
+
+/** A foot in the air hangs: its ankle bends up no farther than it does with ease, as far as the toes clear the ground. */
+function relaxAnkle(w: LimbWorkspace, foot: number, skeleton: Skeleton): void {
+  const bend = -2 * Math.atan2(w.pose[4 * foot], w.pose[4 * foot + 3]);
+  if (bend <= EASY_ANKLE || bend > Math.PI) return;
+  const over = bend - EASY_ANKLE - ANKLE_GIVE * Math.tanh((bend - EASY_ANKLE) / ANKLE_GIVE);
+  const { ankleHeight, ballForward, tipForward } = skeleton.foot;
+  const length = ballForward + tipForward;
+  quatRotate(w.hints, 0, w.world, 4 * foot, 0, -ankleHeight, length);
+  const clear = Math.max(0, w.positions[3 * foot + 1] + w.hints[1] - 0.006);
+  quatFromAxisAngle(w.hinge, 0, 1, 0, 0, Math.min(over, clear / length));
+  quatMultiply(w.pose, 4 * foot, w.pose, 4 * foot, w.hinge, 0);
+  quatMultiply(w.world, 4 * foot, w.world, 4 * (foot - 1), w.pose, 4 * foot);
 }
 
 /** Farthest that a knee points away from the middle of foot and hips, radians: the hip turns no more. */
@@ -161,9 +184,61 @@ export function closeArms(w: LimbWorkspace, targets: HandTargets, skeleton: Skel
       w.hints,
       0,
     );
+    rollToHinge(w, upper, side === 0 ? 1 : -1);
     // The hand keeps the way it pointed.
     for (let k = 0; k < 4; k++) w.world[4 * hand + k] = w.q[4 * side + k];
     quatInverseMultiply(w.pose, 4 * hand, w.world, 4 * (upper + 1), w.world, 4 * hand);
     quatNormalize(w.pose, 4 * hand);
   }
+}
+
+/** Sine of the elbow's bend from which on its plane alone says how the upper arm is rolled. */
+const SURE_BEND = 0.35;
+
+/**
+ * Rolls an upper arm about its own bone so that the elbow bends about its hinge: -Y on the left, Y on the right. The
+ * bones stay where they are. A nearly straight arm keeps its roll.
+ */
+function rollToHinge(w: LimbWorkspace, upper: number, sign: 1 | -1): void {
+  const { positions: p, world, pose, hints: h } = w;
+  const lower = upper + 1;
+  const hand = upper + 2;
+  const bone = (a: number, b: number, o: number) => {
+    const x = p[3 * b] - p[3 * a];
+    const y = p[3 * b + 1] - p[3 * a + 1];
+    const z = p[3 * b + 2] - p[3 * a + 2];
+    const n = Math.hypot(x, y, z) || 1;
+    h[o] = x / n;
+    h[o + 1] = y / n;
+    h[o + 2] = z / n;
+  };
+  bone(upper, lower, 0);
+  bone(lower, hand, 3);
+  const nx = h[1] * h[5] - h[2] * h[4];
+  const ny = h[2] * h[3] - h[0] * h[5];
+  const nz = h[0] * h[4] - h[1] * h[3];
+  const sine = Math.hypot(nx, ny, nz);
+  if (sine < 1e-6) return;
+  const sure = smoothstep(sine / SURE_BEND);
+  quatRotate(h, 6, world, 4 * upper, 0, 1, 0);
+  // The wanted Y axis, square to the bone already; the present one is, by construction.
+  const f = (-sign * sure) / sine;
+  let yx = f * nx + (1 - sure) * h[6];
+  let yy = f * ny + (1 - sure) * h[7];
+  let yz = f * nz + (1 - sure) * h[8];
+  const along = yx * h[0] + yy * h[1] + yz * h[2];
+  yx -= along * h[0];
+  yy -= along * h[1];
+  yz -= along * h[2];
+  const n = Math.hypot(yx, yy, yz);
+  if (n < 1e-6) return;
+  basisAlong(world, 4 * upper, sign * h[0], sign * h[1], sign * h[2], yx / n, yy / n, yz / n);
+  quatInverseMultiply(pose, 4 * upper, world, 4 * (upper - 1), world, 4 * upper);
+  quatNormalize(pose, 4 * upper);
+  // The lower arm turns about the hinge, and what is left of its way about the plane's normal.
+  quatRotate(h, 6, world, 4 * upper, sign, 0, 0);
+  quatBetween(w.hinge, 0, h[6], h[7], h[8], h[3], h[4], h[5]);
+  quatMultiply(world, 4 * lower, w.hinge, 0, world, 4 * upper);
+  quatInverseMultiply(pose, 4 * lower, world, 4 * upper, world, 4 * lower);
+  quatNormalize(pose, 4 * lower);
 }
