@@ -228,6 +228,22 @@ function alive(b: BodyAngles, score: Score, gait: Gait, frames: number): void {
       add(track, wander(0.2, 0.6 * DEG));
     }
   }
+  const { wobble } = moodOf(score.actor);
+  if (wobble > 0) {
+    // Unsteady: the trunk tips one way, the arms go the other.
+    const tip = wander(0.5, wobble * DEG);
+    const nod = wander(0.4, 0.5 * wobble * DEG);
+    for (let f = 0; f < frames; f++) {
+      b.chestRoll[f] += tip[f];
+      b.pelvisRoll[f] += 0.35 * tip[f];
+      b.headRoll[f] += 0.5 * tip[f];
+      b.chestPitch[f] += nod[f];
+      b.arms[0].out[f] -= 2.5 * tip[f];
+      b.arms[1].out[f] += 2.5 * tip[f];
+      b.arms[0].swing[f] += 1.5 * nod[f];
+      b.arms[1].swing[f] -= 1.5 * nod[f];
+    }
+  }
   // Breathing, 0.25 Hz.
   const start = random.between(0, 2 * Math.PI);
   for (let f = 0; f < frames; f++)
