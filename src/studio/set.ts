@@ -9,7 +9,9 @@ import { toWorld } from "../core/math/frame2.ts";
 import { DEFAULT_PROPORTIONS, REFERENCE_HEIGHT } from "../core/skeleton/skeleton.ts";
 import { type Goal, perform } from "./choreography/tasks.ts";
 import { createWalker, finish } from "./choreography/walker.ts";
+import { cyclicScores } from "./cycles.ts";
 import type { Actor, Score } from "./score.ts";
+import { STYLES, styleScore } from "./styles.ts";
 
 const DEG = Math.PI / 180;
 const ADULT: Actor = { height: REFERENCE_HEIGHT, proportions: DEFAULT_PROPORTIONS };
@@ -305,7 +307,62 @@ function walks(): Score[] {
   ];
 }
 
-/** Every score that ships, in a fixed order. */
+/** Two more people, shorter and taller, at every kind of task. */
+function others(): Score[] {
+  const people: [string, Actor][] = [
+    ["short", { height: 1.55, proportions: { leg: 0.97, arm: 0.98, torso: 1.02 } }],
+    ["tall", { height: 1.92, proportions: { leg: 1.03, arm: 1.02, torso: 0.98 } }],
+  ];
+  return people.flatMap(([who, actor], i) => {
+    const k = actor.height / REFERENCE_HEIGHT;
+    return [
+      performance(
+        `${who}-write-sit`,
+        301 + 10 * i,
+        { x: 0.4, z: -2, yaw: 0 },
+        [
+          write(0, 1.35 * k),
+          write(0.7, 1.3 * k),
+          write(-0.9, 1.4 * k),
+          { category: "sit", x: 1.4, z: -1.8, yaw: 200 * DEG, y: 0.46, hold: 2.2 },
+          write(-0.2, 1.3 * k, { effort: 0 }),
+          { category: "turn", x: 0.4, z: -2.4, yaw: -120 * DEG },
+        ],
+        actor,
+      ),
+      performance(
+        `${who}-boxes`,
+        302 + 10 * i,
+        { x: -0.4, z: -2, yaw: 0.2 },
+        [
+          { category: "lift", x: 0, z: 0, yaw: 0, y: 0.87 },
+          { category: "place", x: 1.4, z: -1.2, yaw: 90 * DEG, y: 0.8 },
+          { category: "lift", x: 1.4, z: -1.2, yaw: 90 * DEG, y: 0.8 },
+          { category: "place", x: 0, z: 0, yaw: 0, y: 0.87 },
+        ],
+        actor,
+      ),
+      performance(
+        `${who}-walk`,
+        303 + 10 * i,
+        { x: 0, z: 0, yaw: 0 },
+        [
+          { category: "turn", x: 0, z: 4.5, yaw: 120 * DEG },
+          { category: "turn", x: 2.4, z: 1.2, yaw: Math.PI, curve: 0.12 },
+        ],
+        actor,
+      ),
+    ];
+  });
+}
+
+/** Every capture that ships: the tasks' set, the styles' straight samples, the cyclic clips, two more actors. */
+export function everyScore(): { name: string; score: Score }[] {
+  const more = [...STYLES.map(styleScore), ...cyclicScores(), ...others()];
+  return [...studioSet(), ...more.map((score) => ({ name: score.name, score }))];
+}
+
+/** The scores of the task library, in a fixed order. */
 export function studioSet(): { name: string; score: Score }[] {
   const centre = toWorld({ x: 0, z: 0, yaw: 0 }, { x: 0, z: 0, yaw: 0 });
   const scores = [

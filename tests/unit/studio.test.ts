@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import { solePoints } from "../../src/core/contacts/baselines.ts";
 import { pivotPlace, plantedAnkle } from "../../src/core/motion/sole.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
+import { STEP_CATEGORIES } from "../../src/core/steps/types.ts";
 import { studio } from "../support/library.ts";
 
 describe("planted foot", () => {
@@ -74,5 +75,43 @@ describe("captures of the studio", () => {
     expect(Buffer.from(clip.rotations.buffer).equals(Buffer.from(rendered[2].clip.rotations.buffer))).toBe(
       true,
     );
+  });
+});
+
+describe("the whole set that ships", () => {
+  it("has tasks, seven styles, some two dozen cycles and two more actors, each under its own name", async () => {
+    const { everyScore } = await import("../../src/studio/set.ts");
+    const names = everyScore().map((s) => s.name);
+    expect(new Set(names).size).toBe(names.length);
+    expect(names.filter((n) => n.startsWith("style-"))).toHaveLength(7);
+    expect(names.filter((n) => n.startsWith("cycle-")).length).toBeGreaterThanOrEqual(24);
+    for (const who of ["short-", "tall-"]) expect(names.some((n) => n.startsWith(who))).toBe(true);
+  });
+
+  it("is rendered the same twice, worn or not; wear moves it by centimetres and no more", async () => {
+    const { everyScore } = await import("../../src/studio/set.ts");
+    const { renderScore } = await import("../../src/studio/render.ts");
+    const { wearClip } = await import("../../src/studio/realism.ts");
+    for (const name of ["style-jogging", "cycle-side-1", "tall-walk"]) {
+      const score = everyScore().find((s) => s.name === name)?.score;
+      if (!score) throw new Error(name);
+      const a = renderScore(score).clip;
+      const b = renderScore(score).clip;
+      expect(Buffer.from(a.rotations.buffer).equals(Buffer.from(b.rotations.buffer))).toBe(true);
+      const worn = wearClip(a, 5);
+      expect(wearClip(b, 5).root).toEqual(worn.root);
+      let most = 0;
+      for (let k = 0; k < a.root.length; k++) most = Math.max(most, Math.abs(worn.root[k] - a.root[k]));
+      expect(most).toBeGreaterThan(0.01);
+      expect(most).toBeLessThan(0.06);
+    }
+  });
+
+  it("has every step category thirty times", () => {
+    const count = new Map<string, number>();
+    for (const clip of studio().library.clips.slice(0, studio().rendered.length))
+      for (const s of clip.steps) count.set(s.category, (count.get(s.category) ?? 0) + 1);
+    for (const category of STEP_CATEGORIES)
+      expect(count.get(category) ?? 0, category).toBeGreaterThanOrEqual(30);
   });
 });
