@@ -43,6 +43,8 @@ export class BvhError extends Error {
   override name = "BvhError";
 }
 
+/** Larger numbers are no metres, millimetres or degrees of a person. */
+const LARGEST = 1e8;
 const MOST_JOINTS = 1000;
 const MOST_FRAMES = 2_000_000;
 
@@ -71,7 +73,7 @@ export function parseBvh(text: string, name: string): BvhFile {
   };
   const number = (s: string | undefined): number => {
     const n = s === undefined || s === "" ? Number.NaN : Number(s);
-    if (!Number.isFinite(n))
+    if (!(Math.abs(n) < LARGEST))
       fail(`a number is needed, found ${s === undefined ? "nothing" : JSON.stringify(s.slice(0, 30))}.`);
     return n;
   };
@@ -96,6 +98,7 @@ export function parseBvh(text: string, name: string): BvhFile {
       if (head === "ROOT" || head === "JOINT") {
         if (head === "ROOT" && joints.length > 0) fail("a second ROOT.");
         if (head === "JOINT" && stack.length === 0) fail("a JOINT outside of the ROOT.");
+        if (stack.includes(-2)) fail("a JOINT inside of an End Site.");
         const joint = words.slice(1).join(" ");
         if (joint === "") fail("a joint without a name.");
         if (names.has(joint)) fail(`the joint ${JSON.stringify(joint)} stands twice.`);
@@ -112,6 +115,7 @@ export function parseBvh(text: string, name: string): BvhFile {
         pending = joints.length - 1;
       } else if (head === "END") {
         if (stack.length === 0) fail("an End Site outside of a joint.");
+        if (stack.includes(-2)) fail("an End Site inside of an End Site.");
         pending = -2;
       } else if (head === "{") {
         if (pending === null) fail("a brace without a joint.");
@@ -165,7 +169,8 @@ export function parseBvh(text: string, name: string): BvhFile {
     if (words.length !== columns) fail(`${words.length} numbers, ${columns} expected.`);
     for (let c = 0; c < columns; c++) {
       const n = Number(words[c]);
-      if (!Number.isFinite(n)) fail(`a number is needed, found ${JSON.stringify(words[c].slice(0, 30))}.`);
+      if (!(Math.abs(n) < LARGEST))
+        fail(`a number is needed, found ${JSON.stringify(words[c].slice(0, 30))}.`);
       values[f * columns + c] = n;
     }
   }
