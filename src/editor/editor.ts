@@ -100,6 +100,10 @@ export class Editor {
     this.askMesh();
     this.ask();
     this.draw();
+    // A hidden tab may never be shown again: what waits is kept now.
+    document.addEventListener("visibilitychange", () => {
+      if (document.hidden && this.saveTimer !== 0) this.save();
+    });
     places.canvas.addEventListener("pointerdown", (e) => this.canvasDown(e));
     places.canvas.addEventListener("pointermove", (e) => this.canvasMove(e));
   }
@@ -285,8 +289,8 @@ export class Editor {
     const s = this.store.getState();
     if (!s.playing) return;
     const now = performance.now();
-    // A hidden tab does not catch up.
-    const passed = Math.min(0.1, (now - this.lastTick) / 1000);
+    // A hidden tab does not catch up, and a clock that jumps back stops nothing.
+    const passed = Math.max(0, Math.min(0.1, (now - this.lastTick) / 1000));
     this.lastTick = now;
     let time = s.time + passed * s.speed;
     const duration = this.duration();
@@ -358,9 +362,17 @@ export class Editor {
     this.show();
     window.clearTimeout(this.saveTimer);
     this.set({ saved: "saving" });
-    this.saveTimer = window.setTimeout(() => {
-      void saveScene(this.history.scene).then((ok) => this.set({ saved: ok ? "saved" : "off" }));
-    }, SAVE_AFTER);
+    this.saveTimer = window.setTimeout(() => this.save(), SAVE_AFTER);
+  }
+
+  private save(): void {
+    window.clearTimeout(this.saveTimer);
+    this.saveTimer = 0;
+    const { scene } = this.history;
+    void saveScene(scene).then((ok) => {
+      // A newer scene that waits to be kept says so itself.
+      if (this.saveTimer === 0) this.set({ saved: ok ? "saved" : "off" });
+    });
   }
 
   beginGesture(): void {
