@@ -31,9 +31,13 @@ function sceneOf(clip: LibraryClip) {
   });
 }
 
+/** The real steps that lead to the turn's end; what follows is another task's. */
+const realSteps = (clip: LibraryClip) =>
+  clip.steps.filter((s) => s.start < clip.tasks[0].end * clip.clip.rate);
+
 /** Metres from each real footstep up to the turn's end to the nearest planned one of its foot. */
 function distances(clip: LibraryClip, plan: Plan): number[] {
-  return clip.steps.map((s) => {
+  return realSteps(clip).map((s) => {
     const own = plan.steps.filter((p) => p.foot === s.foot);
     return Math.min(9, ...own.map((p) => Math.hypot(p.x - s.to.x, p.z - s.to.z)));
   });
@@ -75,9 +79,11 @@ const bench: BenchModule = {
       apart.push(...distances(clip, plan));
       const all = retargetLibrary(assembleLibrary(clips, true), skeleton);
       copied.push(...distances(clip, planScene(scene, all, skeleton)));
-      counts.push(Math.abs(plan.steps.length - clip.steps.length));
+      counts.push(Math.abs(plan.steps.length - realSteps(clip).length));
       for (const foot of ["left", "right"] as const) {
-        const real = clip.steps.filter((s) => s.foot === foot).pop();
+        const real = realSteps(clip)
+          .filter((s) => s.foot === foot)
+          .pop();
         const planned = plan.steps.filter((s) => s.foot === foot).pop();
         if (!real || !planned) continue;
         ends.push(Math.hypot(planned.x - real.to.x, planned.z - real.to.z));

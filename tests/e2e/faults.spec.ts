@@ -8,6 +8,28 @@ const planned = (page: Page) =>
     timeout: 120_000,
   });
 
+/** Mean brightness of the room's picture, 0 to 255. */
+async function brightness(page: Page, path: string): Promise<number> {
+  const png = await page.locator("#stage").screenshot({ path });
+  return page.evaluate(
+    async (data) => {
+      const image = new Image();
+      image.src = data;
+      await image.decode();
+      const canvas = document.createElement("canvas");
+      canvas.width = image.width;
+      canvas.height = image.height;
+      const context = canvas.getContext("2d") as CanvasRenderingContext2D;
+      context.drawImage(image, 0, 0);
+      const { data: pixels } = context.getImageData(0, 0, image.width, image.height);
+      let sum = 0;
+      for (let i = 0; i < pixels.length; i += 4) sum += pixels[i] + pixels[i + 1] + pixels[i + 2];
+      return sum / (0.75 * pixels.length);
+    },
+    `data:image/png;base64,${png.toString("base64")}`,
+  );
+}
+
 test("a policy without eval or inline scripts, which the page keeps to", async ({ page }) => {
   const broken: string[] = [];
   await page.exposeFunction("noteViolation", (what: string) => broken.push(what));
@@ -93,7 +115,10 @@ test("storage closed and corrupt, markup in names, a lost drawing context, a pla
   await page.evaluate(() => window.stepwright?.restartPlanner());
   await expect.poll(() => finishedCount(page), { timeout: 60_000 }).toBeGreaterThan(before);
 
-  // The drawing context is lost and comes back: the picture is not empty.
+  // The drawing context is lost and comes back: the picture is as bright as before.
+  await page.evaluate(() => window.stepwright?.seek(1));
+  await page.waitForTimeout(500);
+  const bright = await brightness(page, "artefacts/context-before.png");
   const lost = await page.evaluate(async () => {
     const canvas = document.querySelector("#stage") as HTMLCanvasElement;
     const gl = canvas.getContext("webgl2");
@@ -112,9 +137,10 @@ test("storage closed and corrupt, markup in names, a lost drawing context, a pla
     return gl.isContextLost() ? "lost" : "back";
   });
   expect(lost).toBe("back");
-  const picture = await page.locator("#stage").screenshot({ path: "artefacts/context-restored.png" });
-  // A plain colour would be a few kilobytes.
-  expect(picture.length).toBeGreaterThan(20_000);
+  await page.waitForTimeout(500);
+  const after = await brightness(page, "artefacts/context-restored.png");
+  expect(bright).toBeGreaterThan(40);
+  expect(Math.abs(after - bright)).toBeLessThan(2);
   expect(errors).toEqual([]);
 });
 
