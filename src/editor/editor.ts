@@ -62,7 +62,8 @@ export class Editor {
   private history: History;
   private readonly planner: PlannerClient;
   private readonly markers: Markers;
-  private readonly meshWorker: Worker;
+  private meshWorker: Worker;
+  private meshDeaths = 0;
   private meshId = 0;
   private askedId = 0;
   private plannedId = 0;
@@ -87,8 +88,7 @@ export class Editor {
       message: (m) => this.hear(m),
       restarted: () => this.say("The planner restarted. Nothing was lost.", false),
     });
-    this.meshWorker = new Worker(new URL("../workers/mesh-worker.ts", import.meta.url), { type: "module" });
-    this.meshWorker.onmessage = (event: MessageEvent<MeshResponse>) => this.hearMesh(event.data);
+    this.meshWorker = this.startMesh();
     this.store.subscribe(() => this.draw());
     document.documentElement.dataset.theme = theme;
     this.stage.setTheme(theme);
@@ -237,6 +237,23 @@ export class Editor {
     const s = this.store.getState();
     if (!s.plan || !s.quality) return;
     this.places.live.textContent = `${s.plan.steps.length} footsteps; skate ${(s.quality.skate ?? 0).toFixed(1)} millimetres, reach ${(s.quality.reach ?? 0).toFixed(1)} millimetres.`;
+  }
+
+  /** A worker for the character's skin; one that dies is replaced, three times in all. */
+  private startMesh(): Worker {
+    const worker = new Worker(new URL("../workers/mesh-worker.ts", import.meta.url), { type: "module" });
+    worker.onmessage = (event: MessageEvent<MeshResponse>) => this.hearMesh(event.data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      worker.terminate();
+      if (this.meshDeaths++ >= 3) {
+        this.fail("The character cannot be drawn: its worker stops each time. Reload the page.");
+        return;
+      }
+      this.meshWorker = this.startMesh();
+      this.askMesh();
+    };
+    return worker;
   }
 
   private askMesh(): void {
