@@ -1,9 +1,10 @@
 import { defineConfig } from "vite";
 import { shippedLibrary } from "./src/cli/library-plugin.ts";
+import { siteSafety } from "./src/cli/site-plugin.ts";
 
 export default defineConfig({
   base: "./",
-  plugins: [shippedLibrary()],
+  plugins: [shippedLibrary(), siteSafety()],
   worker: { format: "es" },
   server: { port: 5173 },
   preview: { port: 4173 },

@@ -62,7 +62,8 @@ export class Editor {
   private history: History;
   private readonly planner: PlannerClient;
   private readonly markers: Markers;
-  private readonly meshWorker: Worker;
+  private meshWorker: Worker;
+  private meshDeaths = 0;
   private meshId = 0;
   private askedId = 0;
   private plannedId = 0;
@@ -87,8 +88,7 @@ export class Editor {
       message: (m) => this.hear(m),
       restarted: () => this.say("The planner restarted. Nothing was lost.", false),
     });
-    this.meshWorker = new Worker(new URL("../workers/mesh-worker.ts", import.meta.url), { type: "module" });
-    this.meshWorker.onmessage = (event: MessageEvent<MeshResponse>) => this.hearMesh(event.data);
+    this.meshWorker = this.startMesh();
     this.store.subscribe(() => this.draw());
     document.documentElement.dataset.theme = theme;
     this.stage.setTheme(theme);
@@ -100,6 +100,10 @@ export class Editor {
     this.askMesh();
     this.ask();
     this.draw();
+    // A hidden tab may never be shown again: what waits is kept now.
+    document.addEventListener("visibilitychange", () => {
+      if (document.hidden && this.saveTimer !== 0) this.save();
+    });
     places.canvas.addEventListener("pointerdown", (e) => this.canvasDown(e));
     places.canvas.addEventListener("pointermove", (e) => this.canvasMove(e));
   }
@@ -235,6 +239,23 @@ export class Editor {
     this.places.live.textContent = `${s.plan.steps.length} footsteps; skate ${(s.quality.skate ?? 0).toFixed(1)} millimetres, reach ${(s.quality.reach ?? 0).toFixed(1)} millimetres.`;
   }
 
+  /** A worker for the character's skin; one that dies is replaced, three times in all. */
+  private startMesh(): Worker {
+    const worker = new Worker(new URL("../workers/mesh-worker.ts", import.meta.url), { type: "module" });
+    worker.onmessage = (event: MessageEvent<MeshResponse>) => this.hearMesh(event.data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      worker.terminate();
+      if (this.meshDeaths++ >= 3) {
+        this.fail("The character cannot be drawn: its worker stops each time. Reload the page.");
+        return;
+      }
+      this.meshWorker = this.startMesh();
+      this.askMesh();
+    };
+    return worker;
+  }
+
   private askMesh(): void {
     const { height, proportions } = this.store.getState().scene.character;
     const request: MeshRequest = { id: ++this.meshId, height, proportions };
@@ -285,8 +306,8 @@ export class Editor {
     const s = this.store.getState();
     if (!s.playing) return;
     const now = performance.now();
-    // A hidden tab does not catch up.
-    const passed = Math.min(0.1, (now - this.lastTick) / 1000);
+    // A hidden tab does not catch up, and a clock that jumps back stops nothing.
+    const passed = Math.max(0, Math.min(0.1, (now - this.lastTick) / 1000));
     this.lastTick = now;
     let time = s.time + passed * s.speed;
     const duration = this.duration();
@@ -358,9 +379,17 @@ export class Editor {
     this.show();
     window.clearTimeout(this.saveTimer);
     this.set({ saved: "saving" });
-    this.saveTimer = window.setTimeout(() => {
-      void saveScene(this.history.scene).then((ok) => this.set({ saved: ok ? "saved" : "off" }));
-    }, SAVE_AFTER);
+    this.saveTimer = window.setTimeout(() => this.save(), SAVE_AFTER);
+  }
+
+  private save(): void {
+    window.clearTimeout(this.saveTimer);
+    this.saveTimer = 0;
+    const { scene } = this.history;
+    void saveScene(scene).then((ok) => {
+      // A newer scene that waits to be kept says so itself.
+      if (this.saveTimer === 0) this.set({ saved: ok ? "saved" : "off" });
+    });
   }
 
   beginGesture(): void {

@@ -34,6 +34,8 @@ export class PlannerClient {
     const worker = this.create();
     this.worker = worker;
     worker.onmessage = (event: MessageEvent<PlannerResponse>) => {
+      // A worker that was replaced may have had answers on their way.
+      if (worker !== this.worker) return;
       const message = event.data;
       if (message.type === "ready") {
         this.ready = true;
@@ -44,7 +46,10 @@ export class PlannerClient {
     };
     worker.onerror = (event) => {
       event.preventDefault();
-      this.restart();
+      if (worker === this.worker) this.restart();
+    };
+    worker.onmessageerror = () => {
+      if (worker === this.worker) this.restart();
     };
     this.send({ type: "load", url: this.libraryUrl });
   }

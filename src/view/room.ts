@@ -28,6 +28,8 @@ export interface Room {
   group: Group;
   key: DirectionalLight;
   setTheme(theme: Theme): void;
+  /** Draws the light of the surroundings anew: it lives on the graphics card alone and is lost with the context. */
+  relight(): void;
   dispose(): void;
 }
 
@@ -55,9 +57,13 @@ function wallGeometry(length: number): BufferGeometry {
 /** Builds the room into a scene. */
 export function createRoom(scene: Scene, renderer: WebGLRenderer): Room {
   const group = new Group();
-  const pmrem = new PMREMGenerator(renderer);
-  const environment = pmrem.fromScene(new RoomEnvironment(), 0.04).texture;
-  scene.environment = environment;
+  const light = () => {
+    const pmrem = new PMREMGenerator(renderer);
+    const target = pmrem.fromScene(new RoomEnvironment(), 0.04);
+    scene.environment = target.texture;
+    return { pmrem, target };
+  };
+  let environment = light();
   const grid = { uGrid: { value: new Color() }, uFine: { value: 0.1 }, uCoarse: { value: 0.19 } };
   const floorMaterial = new MeshStandardMaterial({ roughness: 0.74, metalness: 0 });
   floorMaterial.onBeforeCompile = (shader) => {
@@ -143,9 +149,12 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * 
       grid.uFine.value = t.grid[1];
       grid.uCoarse.value = t.grid[2];
     },
+    relight() {
+      environment = light();
+    },
     dispose() {
-      environment.dispose();
-      pmrem.dispose();
+      environment.target.dispose();
+      environment.pmrem.dispose();
       for (const m of [floor, back, side]) m.geometry.dispose();
       for (const m of [floorMaterial, wallMaterial, sideMaterial]) m.dispose();
     },

@@ -79,7 +79,10 @@ export class Stage {
     this.room = createRoom(this.scene, this.renderer);
     this.scene.add(this.props, this.taskMarks, this.footprints.group);
     this.setTheme("light");
-    canvas.addEventListener("webglcontextrestored", () => this.invalidate());
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.room.relight();
+      this.invalidate();
+    });
     canvas.addEventListener("webglcontextlost", (e) => e.preventDefault());
   }
 

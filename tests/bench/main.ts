@@ -1,18 +1,44 @@
 /** `npm run bench`: every figure beside its peer, measured in the same run. */
+import { mkdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { figureBars } from "../../src/plots/figure-bars.ts";
 import browser from "./browser.bench.ts";
+import { misses } from "./check.ts";
 import contacts from "./contacts.bench.ts";
 import crowd from "./crowd.bench.ts";
+import groundTruth from "./ground-truth.bench.ts";
 import ik from "./ik.bench.ts";
 import optimiser from "./optimiser.bench.ts";
 import planning from "./planning.bench.ts";
 import type { BenchModule, BenchOptions, Figure } from "./types.ts";
 
-const MODULES: BenchModule[] = [optimiser, planning, ik, contacts, crowd, browser];
+const MODULES: BenchModule[] = [optimiser, planning, ik, contacts, crowd, groundTruth, browser];
 
 const text = (v: number | null, unit: string): string =>
   v === null ? "" : `${v >= 100 ? v.toFixed(0) : v.toPrecision(3)} ${unit}`;
 
-/** Runs the benchmarks named, or all. @returns exit code 0, or 2 for wrong usage. */
+/** The figures of one module as `NAME.svg` in a folder. */
+function draw(folder: string, name: string, figures: readonly Figure[]): void {
+  const bars = figures
+    .filter((f) => Number.isFinite(f.median))
+    .map((f) => ({
+      name: f.name,
+      unit: f.unit,
+      value: f.median,
+      peer: f.peer !== null && f.peerMedian !== null ? { name: f.peer, value: f.peerMedian } : null,
+      goal: f.goal,
+      ok: f.ok,
+    }));
+  if (bars.length === 0) return;
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(join(folder, `${name}.svg`), figureBars(bars, name));
+}
+
+/**
+ * Runs the benchmarks named, or all. `--figures DIR` draws them there (docs/figures for those that the docs show).
+ *
+ * @returns exit code 0, 1 when `--check` finds a goal missed by more than noise, or 2 for wrong usage.
+ */
 export async function main(args: string[]): Promise<number> {
   const value = (name: string): string | null => {
     const i = args.indexOf(`--${name}`);
@@ -33,7 +59,10 @@ export async function main(args: string[]): Promise<number> {
   const all: Figure[] = [];
   for (const m of chosen) {
     console.error(`bench: ${m.name} ...`);
-    all.push(...(await m.run(options)));
+    const figures = await m.run(options);
+    const folder = value("figures");
+    if (folder !== null) draw(folder, m.name, figures);
+    all.push(...figures);
   }
   if (args.includes("--json")) for (const f of all) console.log(JSON.stringify(f));
   else {
@@ -45,5 +74,8 @@ export async function main(args: string[]): Promise<number> {
       console.log(`${f.name.padEnd(44)} ${text(f.median, f.unit).padStart(14)}${peer}${goal}`);
     }
   }
-  return 0;
+  if (!args.includes("--check")) return 0;
+  const missed = misses(all);
+  for (const m of missed) console.error(m);
+  return missed.length > 0 ? 1 : 0;
 }

@@ -7,6 +7,7 @@ import { History } from "../../src/core/scene/history.ts";
 import { propsOfTask } from "../../src/core/scene/props.ts";
 import { parseScene, readScene, serializeScene } from "../../src/core/scene/schema.ts";
 import { TASK_CATEGORIES } from "../../src/core/scene/task-types.ts";
+import { budget } from "../support/fuzz.ts";
 
 describe("scene documents", () => {
   it("fills in every default", () => {
@@ -126,6 +127,68 @@ describe("commands and undo", () => {
         },
       ),
       { seed: 31, numRuns: 20 },
+    );
+  });
+
+  it("a hundred random edits, undone and done again, give the same documents (seed 7)", () => {
+    const real = fc.double({ min: -20, max: 20, noNaN: true });
+    const edit = fc.record({
+      kind: fc.nat(6),
+      pick: fc.nat(1000),
+      category: fc.constantFrom(...TASK_CATEGORIES),
+      x: real,
+      z: real,
+      yaw: real,
+      gesture: fc.nat(3),
+    });
+    fc.assert(
+      fc.property(fc.array(edit, { minLength: 100, maxLength: 100 }), (edits) => {
+        const history = new History(defaultScene());
+        const documents = [serializeScene(history.scene)];
+        const once = (e: (typeof edits)[number], scale: number) => {
+          const s = history.scene;
+          const id = s.tasks[e.pick % Math.max(1, s.tasks.length)]?.id ?? "none";
+          switch (e.kind) {
+            case 0:
+              return commands.addTask(s, e.category, e.x, e.z, e.yaw).scene;
+            case 1:
+              return commands.duplicateTask(s, id).scene;
+            case 2:
+              return commands.removeTask(s, id);
+            case 3:
+              return commands.changeTask(s, id, { duration: Math.abs(e.x), hand: "left" });
+            case 4:
+              return commands.setCharacter(s, 1.75 + e.x / 100, 1 + e.z / 100);
+            default:
+              return commands.placeTask(s, id, [e.x * scale, 1, e.z * scale], e.yaw);
+          }
+        };
+        for (const e of edits) {
+          const before = history.scene;
+          // A drag of several moves is one entry; one that is given up is none.
+          if (e.gesture > 0) {
+            history.begin();
+            for (let k = 1; k <= 3; k++) history.apply(once(e, k / 3));
+            if (e.gesture === 3) history.cancel();
+            else history.commit();
+          } else history.apply(once(e, 1));
+          if (history.scene !== before) documents.push(serializeScene(history.scene));
+        }
+        for (let k = documents.length - 2; k >= 0; k--) {
+          expect(history.undo()).toBe(true);
+          expect(serializeScene(history.scene)).toBe(documents[k]);
+        }
+        expect(history.canUndo).toBe(false);
+        for (let k = 1; k < documents.length; k++) {
+          expect(history.redo()).toBe(true);
+          expect(serializeScene(history.scene)).toBe(documents[k]);
+        }
+        expect(history.redo()).toBe(false);
+        // The last one is valid, and read back as it is.
+        const last: unknown = JSON.parse(serializeScene(history.scene));
+        expect(parseScene(last)).toEqual(last);
+      }),
+      { ...budget(8), endOnFailure: true },
     );
   });
 });

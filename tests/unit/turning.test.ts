@@ -1,15 +1,11 @@
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { describe, expect, it } from "vitest";
-import type { Clip } from "../../src/core/capture/clip.ts";
 import { importBvh } from "../../src/core/capture/import.ts";
-import type { SidecarTask } from "../../src/core/capture/sidecar.ts";
 import { wrapAngle } from "../../src/core/math/angle.ts";
-import { quatYaw } from "../../src/core/math/quaternion.ts";
 import { beginSynthesis, synthesiseClip } from "../../src/core/motion/synthesise.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
 import { parseScene } from "../../src/core/scene/schema.ts";
-import { JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { goalsOf, planScene } from "../../src/core/tasks/plan-scene.ts";
 import { buildLibrary } from "../../src/core/templates/build-library.ts";
@@ -18,30 +14,7 @@ import type { Library } from "../../src/core/templates/types.ts";
 import { studio } from "../support/library.ts";
 import { randomScene } from "../support/random-scene.ts";
 import { captures, hasShared } from "../support/shared.ts";
-
-/** A capture's turn: it ends where nine tenths of the turning are done. */
-function turnTask(clip: Clip): SidecarTask {
-  const yaw = new Float64Array(clip.frames);
-  for (let f = 0; f < clip.frames; f++) {
-    const y = quatYaw(clip.rotations, 4 * JOINT_COUNT * f);
-    yaw[f] = f === 0 ? y : yaw[f - 1] + wrapAngle(y - yaw[f - 1]);
-  }
-  const end = clip.frames - 1;
-  const total = yaw[end] - yaw[0];
-  let contact = end;
-  while (contact > 0 && Math.abs(yaw[contact] - yaw[0]) > 0.9 * Math.abs(total)) contact--;
-  const at = Math.min(end, contact + 1);
-  return {
-    category: "turn",
-    effort: 1,
-    position: [clip.root[3 * at], 0, clip.root[3 * at + 2]],
-    yaw: wrapAngle(yaw[end]),
-    start: at / 60,
-    contact: at / 60,
-    end: Math.min(end, at + 2) / 60,
-    hand: "both",
-  };
-}
+import { turnTask } from "../support/turning.ts";
 
 describe.skipIf(!hasShared)("captures of people who turn", () => {
   it("imported as turn templates, drive a character through turn tasks", () => {

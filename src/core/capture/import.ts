@@ -65,7 +65,12 @@ const NEEDED: JointName[] = [
  * @throws BvhError for broken files and rigs without legs.
  */
 export function importBvh(text: string, name: string): ImportResult {
-  const file = parseBvh(text, name);
+  return importBvhFile(parseBvh(text, name));
+}
+
+/** The same of a file read already, e.g. by `readBvhStream`. @throws BvhError for rigs without legs. */
+export function importBvhFile(file: BvhFile): ImportResult {
+  const { name } = file;
   const joints = mapJoints(
     file.joints.map((j) => j.name),
     file.joints.map((j) => j.parent),

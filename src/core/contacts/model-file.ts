@@ -4,16 +4,37 @@
  *     magic "SWO1" | uint32 length of the head | head: deflated JSON | body: deflated Float32 points and roots
  */
 import { deflateSync, inflateSync, strFromU8, strToU8 } from "fflate";
+import * as v from "valibot";
+import { FEATURE_SETS } from "./features.ts";
 import { LEG_ROW } from "./motion-track.ts";
-import { type LabelledTrack, type Oracle, type OracleOptions, trainOracle } from "./oracle.ts";
+import { type LabelledTrack, type Oracle, trainOracle } from "./oracle.ts";
 
 const MAGIC = "SWO1";
 const ROW = 2 * LEG_ROW + 4;
 
-interface Head {
-  options: OracleOptions;
-  tracks: { name: string; frames: number; leg: number; labels: number[]; mask: number[] | null }[];
-}
+const whole = (low: number, high: number) =>
+  v.pipe(v.number(), v.integer(), v.minValue(low), v.maxValue(high));
+const share = v.pipe(v.number(), v.minValue(0), v.maxValue(1));
+const head = v.object({
+  options: v.object({
+    set: v.picklist(FEATURE_SETS),
+    half: whole(0, 120),
+    k: whole(1, 1000),
+    on: share,
+    off: share,
+    shortest: whole(0, 600),
+  }),
+  tracks: v.array(
+    v.object({
+      name: v.string(),
+      frames: whole(1, 2_000_000),
+      leg: v.pipe(v.number(), v.minValue(0.1), v.maxValue(10)),
+      labels: v.array(whole(0, 15)),
+      mask: v.nullable(v.array(whole(0, 1))),
+    }),
+  ),
+});
+type Head = v.InferOutput<typeof head>;
 
 /** What is wrong with the bytes of a model. */
 export class ModelError extends Error {
@@ -21,7 +42,7 @@ export class ModelError extends Error {
 }
 
 export function encodeOracle(oracle: Oracle): Uint8Array {
-  const head: Head = {
+  const known: Head = {
     options: oracle.options,
     tracks: oracle.sources.map((s) => ({
       name: s.track.name,
@@ -39,7 +60,7 @@ export function encodeOracle(oracle: Oracle): Uint8Array {
     body.set(track.root, at + track.points.length);
     at += track.frames * ROW;
   }
-  const json = deflateSync(strToU8(JSON.stringify(head)));
+  const json = deflateSync(strToU8(JSON.stringify(known)));
   const data = deflateSync(new Uint8Array(body.buffer));
   const out = new Uint8Array(8 + json.length + data.length);
   out.set(strToU8(MAGIC), 0);
@@ -54,20 +75,25 @@ export function decodeOracle(bytes: Uint8Array, name: string): Oracle {
   if (bytes.length < 8 || strFromU8(bytes.subarray(0, 4)) !== MAGIC)
     throw new ModelError(`${name}: this is no contact model.`);
   const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(4, true);
-  let head: Head;
+  let known: Head;
   let body: Float32Array;
   try {
-    head = JSON.parse(strFromU8(inflateSync(bytes.subarray(8, 8 + length)))) as Head;
+    known = v.parse(head, JSON.parse(strFromU8(inflateSync(bytes.subarray(8, 8 + length)))));
     const raw = inflateSync(bytes.subarray(8 + length));
+    if (raw.byteLength % 4 !== 0) throw new RangeError("no whole numbers");
     body = new Float32Array(raw.buffer.slice(raw.byteOffset, raw.byteOffset + raw.byteLength));
   } catch {
     throw new ModelError(`${name}: the contact model is damaged or cut short.`);
   }
+  const damaged = (): ModelError => new ModelError(`${name}: the contact model is damaged or cut short.`);
+  const frames = known.tracks.reduce((n, t) => n + t.frames, 0);
+  if (frames === 0 || frames * ROW !== body.length || !body.every(Number.isFinite)) throw damaged();
+  for (const t of known.tracks)
+    if (t.labels.length !== t.frames || (t.mask && t.mask.length !== t.frames)) throw damaged();
+  if (!known.tracks.some((t) => !t.mask || t.mask.includes(1))) throw damaged();
   let at = 0;
-  const sources: LabelledTrack[] = head.tracks.map((t) => {
+  const sources: LabelledTrack[] = known.tracks.map((t) => {
     const size = 2 * LEG_ROW * t.frames;
-    if (at + t.frames * ROW > body.length)
-      throw new ModelError(`${name}: the contact model is damaged or cut short.`);
     const track = {
       name: t.name,
       frames: t.frames,
@@ -82,5 +108,5 @@ export function decodeOracle(bytes: Uint8Array, name: string): Oracle {
       ...(t.mask ? { mask: Uint8Array.from(t.mask) } : {}),
     };
   });
-  return trainOracle(sources, head.options);
+  return trainOracle(sources, known.options);
 }

@@ -17,6 +17,9 @@ export class CaseError extends Error {
 }
 
 const MOST_AGENTS = 5000;
+const MOST_OBSTACLES = 10_000;
+/** Places further than this from the middle are a mistake, metres. */
+const FARTHEST = 10_000;
 
 /**
  * Elements and text of an XML document; attributes, comments and processing instructions are passed over.
@@ -60,7 +63,8 @@ export function parseXml(text: string, file: string): XmlNode {
     if (inside.startsWith("/")) {
       const node = stack.pop() as XmlNode;
       const name = localName(inside.slice(1));
-      if (stack.length === 0 || node.name !== name) fail(`</${name}> closes <${node.name}>.`);
+      if (stack.length === 0 || node.name !== name)
+        fail(`</${name.slice(0, 30)}> closes <${node.name.slice(0, 30)}>.`);
     } else {
       const name = localName(inside.replace(/\/$/, ""));
       if (!/^[A-Za-z_][\w.-]*$/.test(name)) fail("a tag without a name.");
@@ -103,12 +107,23 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
     const c = child(node, name);
     const v = Number(c.text.trim());
     if (c.text.trim() === "" || !Number.isFinite(v))
-      fail(c, `<${name}>: a number is needed, found ${JSON.stringify(c.text.trim())}.`);
+      fail(c, `<${name}>: a number is needed, found ${JSON.stringify(c.text.trim().slice(0, 30))}.`);
     return v;
   };
+  const metres = (node: XmlNode, name: string): number => {
+    const value = number(node, name);
+    if (Math.abs(value) > FARTHEST)
+      fail(child(node, name), `<${name}>: at most ${FARTHEST} m are possible, found ${value}.`);
+    return value;
+  };
+  const size = (node: XmlNode, name: string): number => {
+    const value = metres(node, name);
+    if (value < 0) fail(child(node, name), `<${name}>: a size of 0 or more is needed, found ${value}.`);
+    return value;
+  };
   const bounds = (node: XmlNode): [number, number, number, number] => {
-    const x = [number(node, "xmin"), number(node, "xmax")];
-    const z = [number(node, "zmin"), number(node, "zmax")];
+    const x = [metres(node, "xmin"), metres(node, "xmax")];
+    const z = [metres(node, "zmin"), metres(node, "zmax")];
     return [Math.min(...x), Math.max(...x), Math.min(...z), Math.max(...z)];
   };
   const isRandom = (node: XmlNode): boolean => maybe(node, "random")?.text.trim() === "true";
@@ -126,8 +141,12 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
   if (named) world.name = named.text.trim() || file;
   const edges = header && maybe(header, "worldBounds");
   const whole = edges ? bounds(edges) : ([-50, 50, -50, 50] as [number, number, number, number]);
+  /** Regions in which no room was found: asked again, they get few trials, so that crowded cases stay quick to read. */
+  const full = new Set<string>();
   const somewhere = ([x0, x1, z0, z1]: [number, number, number, number]): [number, number] => {
-    for (let i = 0; i < 2000; i++) {
+    const key = `${x0} ${x1} ${z0} ${z1}`;
+    const trials = full.has(key) ? 5 : 2000;
+    for (let i = 0; i < trials; i++) {
       const x = r.between(x0, x1);
       const z = r.between(z0, z1);
       const clear =
@@ -135,6 +154,7 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
         world.obstacles.every((o) => !covers(o, x, z, 0.35));
       if (clear) return [x, z];
     }
+    full.add(key);
     return [r.between(x0, x1), r.between(z0, z1)];
   };
   const goalsOf = (node: XmlNode): CrowdGoal[] =>
@@ -148,7 +168,7 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
       };
       if (g.name === "seekStaticTarget") {
         const t = child(g, "targetLocation");
-        const [x, z] = isRandom(t) ? somewhere(whole) : [number(t, "x"), number(t, "z")];
+        const [x, z] = isRandom(t) ? somewhere(whole) : [metres(t, "x"), metres(t, "z")];
         return [{ ...base, x, z }];
       }
       if (g.name === "seekAxisAlignedBoxRegion") {
@@ -162,7 +182,7 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
     const initial = child(node, "initialConditions");
     const at = maybe(initial, "position");
     const [x, z] =
-      region || !at || isRandom(at) ? somewhere(region ?? whole) : [number(at, "x"), number(at, "z")];
+      region || !at || isRandom(at) ? somewhere(region ?? whole) : [metres(at, "x"), metres(at, "z")];
     const goals = goalsOf(node);
     const d = maybe(initial, "direction");
     let dx = goals.length > 0 ? goals[0].x - x : 0;
@@ -171,9 +191,9 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
       const a = r.between(0, 6.283185307179586);
       dx = cosine(a);
       dz = sine(a);
-    } else if (d && (number(d, "x") !== 0 || number(d, "z") !== 0)) {
-      dx = number(d, "x");
-      dz = number(d, "z");
+    } else if (d && (metres(d, "x") !== 0 || metres(d, "z") !== 0)) {
+      dx = metres(d, "x");
+      dz = metres(d, "z");
     }
     const n = Math.sqrt(dx * dx + dz * dz) || 1;
     return { x, z, dirX: dx / n, dirZ: dz / n, goals };
@@ -185,10 +205,10 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
         break;
       case "circleObstacle": {
         const p = child(node, "position");
-        const radius = number(node, "radius");
+        const radius = size(node, "radius");
         world.obstacles.push({
-          x: number(p, "x"),
-          z: number(p, "z"),
+          x: metres(p, "x"),
+          z: metres(p, "z"),
           halfX: radius,
           halfZ: radius,
           cos: 1,
@@ -202,10 +222,10 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
         const s = child(node, "size");
         const a = (number(node, "thetaY") * Math.PI) / 180;
         world.obstacles.push({
-          x: number(p, "x"),
-          z: number(p, "z"),
-          halfX: number(s, "x") / 2,
-          halfZ: number(s, "z") / 2,
+          x: metres(p, "x"),
+          z: metres(p, "z"),
+          halfX: size(s, "x") / 2,
+          halfZ: size(s, "z") / 2,
           cos: cosine(a),
           sin: sine(a),
           round: false,
@@ -214,8 +234,10 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
       }
       case "obstacleRegion": {
         const region = bounds(child(node, "regionBounds"));
-        const half = number(node, "obstacleSize") / 2;
-        const count = Math.min(10_000, number(node, "numObstacles"));
+        const half = size(node, "obstacleSize") / 2;
+        const count = size(node, "numObstacles");
+        if (world.obstacles.length + count > MOST_OBSTACLES)
+          fail(node, `${count} obstacles more, at most ${MOST_OBSTACLES} are possible.`);
         for (let i = 0; i < count; i++) {
           const [x, z] = somewhere(region);
           world.obstacles.push(box(x - half, x + half, z - half, z + half));
@@ -227,8 +249,9 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
         break;
       case "agentRegion": {
         const region = bounds(child(node, "regionBounds"));
-        const count = number(node, "numAgents");
-        if (count > MOST_AGENTS) fail(node, `${count} agents, at most ${MOST_AGENTS} are simulated.`);
+        const count = size(node, "numAgents");
+        if (world.agents.length + count > MOST_AGENTS)
+          fail(node, `${count} agents more, at most ${MOST_AGENTS} are simulated.`);
         for (let i = 0; i < count; i++) world.agents.push(agent(node, region));
         break;
       }

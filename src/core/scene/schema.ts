@@ -3,6 +3,7 @@
  */
 import * as v from "valibot";
 import { FEET } from "../steps/types.ts";
+import { readJson } from "./json-text.ts";
 import { TASK_CATEGORIES } from "./task-types.ts";
 import { PROP_KINDS, PROP_SIZES, type Scene } from "./types.ts";
 
@@ -216,15 +217,13 @@ export function parseScene(value: unknown): Scene {
   } as Scene;
 }
 
-/** A scene from JSON text. @throws SceneError, naming `name` where the text is no JSON. */
+/** A scene from JSON text. @throws SceneError "F: tasks[2].yaw: ...", beginning with `name`. */
 export function readScene(text: string, name: string): Scene {
-  let value: unknown;
   try {
-    value = JSON.parse(text);
+    return parseScene(readJson(text));
   } catch (error) {
-    throw new SceneError(`${name}: no JSON: ${error instanceof Error ? error.message : String(error)}`);
+    throw new SceneError(`${name}: ${error instanceof Error ? error.message : String(error)}`);
   }
-  return parseScene(value);
 }
 
 /** The scene as JSON text, two spaces deep. */

@@ -203,9 +203,16 @@ function learnRadii(library: Library): void {
   }
 }
 
-/** One library of several, whatever way their captures were divided: clips in order of their names. */
+/**
+ * One library of several, whatever way their captures were divided: clips in order of their names.
+ *
+ * @throws Error when two of them hold a clip of the same name.
+ */
 export function mergeLibraries(libraries: readonly Library[]): Library {
   const clips = libraries.flatMap((l) => l.clips.filter((c) => !c.clip.name.endsWith("~")));
   clips.sort((a, b) => (a.clip.name < b.clip.name ? -1 : a.clip.name > b.clip.name ? 1 : 0));
+  for (let i = 1; i < clips.length; i++)
+    if (clips[i].clip.name === clips[i - 1].clip.name)
+      throw new Error(`merge: ${clips[i].clip.name} is in the libraries twice.`);
   return assembleLibrary(clips, true);
 }

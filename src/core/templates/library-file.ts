@@ -8,11 +8,13 @@
  * differences from frame to frame, one channel after the other: such columns deflate to about a third.
  */
 import { deflateSync, inflateSync, strFromU8, strToU8 } from "fflate";
-import type { SidecarTask } from "../capture/sidecar.ts";
+import * as v from "valibot";
+import { sidecarTask } from "../capture/sidecar-file.ts";
 import { quatFromRotationVector, quatToRotationVector } from "../math/quaternion.ts";
+import { readJson } from "../scene/json-text.ts";
 import { JOINT_COUNT } from "../skeleton/joints.ts";
-import { createSkeleton, type Proportions } from "../skeleton/skeleton.ts";
-import type { Footstep, Step } from "../steps/types.ts";
+import { createSkeleton } from "../skeleton/skeleton.ts";
+import { FEET, PHASES, STEP_CATEGORIES } from "../steps/types.ts";
 import { assembleLibrary } from "./build-library.ts";
 import type { Library, LibraryClip } from "./types.ts";
 
@@ -21,17 +23,44 @@ const TURN = Math.PI / 32767;
 const LENGTH = 1e-5;
 const CHANNELS = 3 * JOINT_COUNT;
 
-interface ClipHead {
-  name: string;
-  height: number;
-  proportions: Proportions;
-  frames: number;
-  tasks: SidecarTask[];
-  steps: Step[];
-  initialStance: [Footstep, Footstep];
-  /** Run lengths of the contact byte: value, frames, ... */
-  contacts: number[];
-}
+const number = v.pipe(v.number("a number is needed"), v.finite("a finite number is needed"));
+const count = v.pipe(number, v.integer("a whole number is needed"), v.minValue(0, "at least 0 is needed"));
+const factor = v.pipe(number, v.minValue(0.7, "at least 0.7"), v.maxValue(1.4, "at most 1.4"));
+const footstep = v.object({ foot: v.picklist(FEET), x: number, y: number, z: number, yaw: number });
+const step = v.object({
+  foot: v.picklist(FEET),
+  start: count,
+  end: count,
+  airStart: count,
+  airEnd: count,
+  category: v.picklist(STEP_CATEGORIES),
+  phase: v.picklist(PHASES),
+  from: footstep,
+  to: footstep,
+});
+const clipHead = v.pipe(
+  v.object({
+    name: v.string(),
+    height: v.pipe(number, v.minValue(1, "at least 1 m"), v.maxValue(2.5, "at most 2.5 m")),
+    proportions: v.object({ leg: factor, arm: factor, torso: factor }),
+    frames: v.pipe(count, v.minValue(1, "at least one frame is needed")),
+    tasks: v.array(sidecarTask),
+    steps: v.array(step),
+    initialStance: v.tuple([footstep, footstep]),
+    /** Run lengths of the contact byte: value, frames, ... */
+    contacts: v.array(count),
+  }),
+  v.check(
+    (c) => c.steps.every((s) => s.start <= s.end && Math.max(s.end, s.airEnd) < c.frames + 1),
+    "a step outside of the clip",
+  ),
+  v.check(
+    (c) => c.contacts.reduce((n, x, i) => (i % 2 === 1 ? n + x : n), 0) === c.frames,
+    "contacts for another number of frames",
+  ),
+);
+const libraryHead = v.object({ clips: v.array(clipHead) });
+type ClipHead = v.InferOutput<typeof clipHead>;
 
 /** What is wrong with the bytes of a library. */
 export class LibraryError extends Error {
@@ -55,7 +84,7 @@ export function encodeLibrary(library: Library): Uint8Array {
   const bytes = new Uint8Array(total * (CHANNELS * 2 + 12));
   const view = new DataView(bytes.buffer);
   let at = 0;
-  const v = new Float64Array(3);
+  const rotation = new Float64Array(3);
   for (const { clip } of originals) {
     for (let k = 0; k < 3; k++) {
       let before = 0;
@@ -69,8 +98,8 @@ export function encodeLibrary(library: Library): Uint8Array {
     for (let j = 0; j < JOINT_COUNT; j++) {
       const columns = [0, 1, 2].map(() => new Int16Array(clip.frames));
       for (let f = 0; f < clip.frames; f++) {
-        quatToRotationVector(v, 0, clip.rotations, 4 * (f * JOINT_COUNT + j));
-        for (let k = 0; k < 3; k++) columns[k][f] = Math.round(v[k] / TURN);
+        quatToRotationVector(rotation, 0, clip.rotations, 4 * (f * JOINT_COUNT + j));
+        for (let k = 0; k < 3; k++) columns[k][f] = Math.round(rotation[k] / TURN);
       }
       for (const column of columns) {
         let before = 0;
@@ -107,8 +136,7 @@ export function decodeLibrary(bytes: Uint8Array): Library {
   let heads: ClipHead[];
   let body: Uint8Array;
   try {
-    heads = (JSON.parse(strFromU8(inflateSync(bytes.subarray(8, 8 + length)))) as { clips: ClipHead[] })
-      .clips;
+    heads = readHead(strFromU8(inflateSync(bytes.subarray(8, 8 + length))));
     body = joinBytes(inflateSync(bytes.subarray(8 + length)));
   } catch (error) {
     throw new LibraryError(`library: damaged: ${error instanceof Error ? error.message : String(error)}`);
@@ -163,6 +191,14 @@ export function decodeLibrary(bytes: Uint8Array): Library {
     };
   });
   return assembleLibrary(clips, true);
+}
+
+/** The clips of a head. @throws Error with the path to what is wrong. */
+function readHead(text: string): ClipHead[] {
+  const result = v.safeParse(libraryHead, readJson(text), { abortEarly: true });
+  if (!result.success)
+    throw new Error(`${v.getDotPath(result.issues[0]) ?? "head"}: ${result.issues[0].message}`);
+  return result.output.clips;
 }
 
 /** Low bytes first, then high ones: differences are small, so the high bytes are nearly all alike. */

@@ -1,0 +1,45 @@
+/** What the built site carries beside its code: a content security policy, and the notices of what it is made with. */
+import type { Plugin } from "vite";
+import { notices, runtimePackages } from "./notices.ts";
+
+/**
+ * Scripts, styles and workers of the site alone; no eval, no inline script or style element. Style attributes stay allowed: the parts
+ * set widths and colours with them. Captures may be fetched from their public homes over https.
+ */
+const POLICY = [
+  "default-src 'self'",
+  "script-src 'self'",
+  "style-src 'self'",
+  "style-src-attr 'unsafe-inline'",
+  "img-src 'self' data: blob:",
+  "font-src 'self' data:",
+  "worker-src 'self'",
+  "connect-src 'self' https: blob:",
+  "object-src 'none'",
+  "base-uri 'none'",
+  "form-action 'none'",
+].join("; ");
+
+/** In built pages only: the development server needs inline styles. */
+export function siteSafety(): Plugin {
+  return {
+    name: "stepwright-site",
+    apply: "build",
+    transformIndexHtml: () => [
+      {
+        tag: "meta",
+        attrs: { "http-equiv": "Content-Security-Policy", content: POLICY },
+        injectTo: "head-prepend",
+      },
+    ],
+    generateBundle(_, bundle) {
+      // Workers are bundles of their own; the page's bundle carries the notices.
+      if (!Object.keys(bundle).some((f) => f.endsWith(".html"))) return;
+      this.emitFile({
+        type: "asset",
+        fileName: "THIRD-PARTY-NOTICES.txt",
+        source: notices(runtimePackages(process.cwd())),
+      });
+    },
+  };
+}

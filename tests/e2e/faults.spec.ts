@@ -1,0 +1,159 @@
+/** What goes wrong in browsers: the page says so, goes on, and loses nothing. */
+import { expect, type Page, test } from "@playwright/test";
+
+const finishedCount = (page: Page): Promise<number> =>
+  page.evaluate(() => window.stepwright?.log().filter((e) => e.what === "finished").length ?? 0);
+const planned = (page: Page) =>
+  page.waitForFunction(() => window.stepwright?.log().some((e) => e.what === "finished"), null, {
+    timeout: 120_000,
+  });
+
+/** Mean brightness of the room's picture, 0 to 255. */
+async function brightness(page: Page, path: string): Promise<number> {
+  const png = await page.locator("#stage").screenshot({ path });
+  return page.evaluate(
+    async (data) => {
+      const image = new Image();
+      image.src = data;
+      await image.decode();
+      const canvas = document.createElement("canvas");
+      canvas.width = image.width;
+      canvas.height = image.height;
+      const context = canvas.getContext("2d") as CanvasRenderingContext2D;
+      context.drawImage(image, 0, 0);
+      const { data: pixels } = context.getImageData(0, 0, image.width, image.height);
+      let sum = 0;
+      for (let i = 0; i < pixels.length; i += 4) sum += pixels[i] + pixels[i + 1] + pixels[i + 2];
+      return sum / (0.75 * pixels.length);
+    },
+    `data:image/png;base64,${png.toString("base64")}`,
+  );
+}
+
+test("a policy without eval or inline scripts, which the page keeps to", async ({ page }) => {
+  const broken: string[] = [];
+  await page.exposeFunction("noteViolation", (what: string) => broken.push(what));
+  await page.addInitScript(() => {
+    document.addEventListener("securitypolicyviolation", (e) =>
+      (window as unknown as { noteViolation(s: string): void }).noteViolation(
+        `${e.violatedDirective} ${e.blockedURI}`,
+      ),
+    );
+  });
+  await page.goto("/");
+  await planned(page);
+  const policy = await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute("content");
+  expect(policy).toContain("script-src 'self';");
+  expect(policy).not.toContain("unsafe-eval");
+  expect(policy?.replace("style-src-attr 'unsafe-inline'", "")).not.toContain("unsafe-inline");
+  expect(broken).toEqual([]);
+  // It is in force: a script put into the page does not run.
+  await page.evaluate(() => {
+    const s = document.createElement("script");
+    s.textContent = "window.injected = true";
+    document.body.append(s);
+  });
+  expect(await page.evaluate(() => "injected" in window)).toBe(false);
+  expect((await page.request.get("/THIRD-PARTY-NOTICES.txt")).ok()).toBe(true);
+});
+
+test("storage closed and corrupt, markup in names, a lost drawing context, a planner killed at work", async ({
+  page,
+}) => {
+  const errors: string[] = [];
+  page.on("pageerror", (e) => errors.push(e.message));
+  // What another version left behind is no scene.
+  await page.goto("/favicon.svg");
+  await page.evaluate(
+    () =>
+      new Promise<void>((resolve, reject) => {
+        const r = indexedDB.open("stepwright", 1);
+        r.onupgradeneeded = () => r.result.createObjectStore("scenes");
+        r.onerror = () => reject(r.error);
+        r.onsuccess = () => {
+          const t = r.result.transaction("scenes", "readwrite");
+          t.objectStore("scenes").put({ version: 1, tasks: "none" }, "current");
+          t.oncomplete = () => {
+            r.result.close();
+            resolve();
+          };
+        };
+      }),
+  );
+  await page.goto("/");
+  await planned(page);
+  expect(await page.evaluate(() => window.stepwright?.state().scene.tasks.length)).toBe(4);
+
+  // Markup in a file's name and in its ids stays text.
+  const evil = '<img src=x onerror="window.injected=true">';
+  const drop = (name: string, text: string) =>
+    page.evaluate(
+      ([n, t]) => {
+        const data = new DataTransfer();
+        data.items.add(new File([t], n));
+        window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
+      },
+      [name, text] as const,
+    );
+  await drop(`${evil}.json`, "{");
+  await expect(page.getByText("no JSON").first()).toBeVisible();
+  await drop(
+    `${evil}.json`,
+    JSON.stringify({
+      version: 1,
+      tasks: [{ id: evil, category: "write", position: [0, 1.3, 2] }],
+      props: [{ id: `${evil}2`, kind: "board", position: [0, 1.5, 2] }],
+    }),
+  );
+  await page.waitForFunction(() => window.stepwright?.state().scene.tasks.length === 1);
+  await page.waitForFunction(() => (window.stepwright?.state().plan?.tasks.length ?? 0) === 1);
+  expect(await page.locator("img[src=x]").count()).toBe(0);
+  expect(await page.evaluate(() => "injected" in window)).toBe(false);
+
+  // The planner dies while it works: the newest scene is planned all the same.
+  const before = await finishedCount(page);
+  await page.evaluate(() => window.stepwright?.restartPlanner());
+  await expect.poll(() => finishedCount(page), { timeout: 60_000 }).toBeGreaterThan(before);
+
+  // The drawing context is lost and comes back: the picture is as bright as before.
+  await page.evaluate(() => window.stepwright?.seek(1));
+  await page.waitForTimeout(500);
+  const bright = await brightness(page, "artefacts/context-before.png");
+  const lost = await page.evaluate(async () => {
+    const canvas = document.querySelector("#stage") as HTMLCanvasElement;
+    const gl = canvas.getContext("webgl2");
+    const extension = gl?.getExtension("WEBGL_lose_context");
+    if (!gl || !extension) return "no extension";
+    const until = (event: string) => new Promise((r) => canvas.addEventListener(event, r, { once: true }));
+    const gone = until("webglcontextlost");
+    extension.loseContext();
+    await gone;
+    const back = until("webglcontextrestored");
+    // The event must have been dealt with before the context may come back.
+    setTimeout(() => extension.restoreContext(), 50);
+    await back;
+    window.stepwright?.seek(1);
+    await new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)));
+    return gl.isContextLost() ? "lost" : "back";
+  });
+  expect(lost).toBe("back");
+  await page.waitForTimeout(500);
+  const after = await brightness(page, "artefacts/context-restored.png");
+  expect(bright).toBeGreaterThan(40);
+  expect(Math.abs(after - bright)).toBeLessThan(2);
+  expect(errors).toEqual([]);
+});
+
+test("storage closed: the page works and says that nothing is kept", async ({ page }) => {
+  await page.addInitScript(() => {
+    IDBFactory.prototype.open = () => {
+      throw new DOMException("closed", "SecurityError");
+    };
+  });
+  await page.goto("/");
+  await planned(page);
+  await page.locator('[data-marker="write"]').focus();
+  await page.keyboard.press("r");
+  await page.waitForFunction(() => window.stepwright?.state().saved === "off");
+  expect(await page.evaluate(() => window.stepwright?.state().scene.tasks.length)).toBe(4);
+});

@@ -1,0 +1,39 @@
+import { describe, expect, it } from "vitest";
+import { figureBars } from "../../src/plots/figure-bars.ts";
+import { misses } from "../bench/check.ts";
+import { figure } from "../bench/measure.ts";
+import type { Figure } from "../bench/types.ts";
+
+const ratio = (value: number): Figure => ({
+  ...figure("r", "ms", [value], "ratio <= 0.7", () => value <= 0.7),
+  peer: "p",
+  peerMedian: 1,
+  ratio: value,
+});
+
+describe("bench --check", () => {
+  it("lets noise pass and nothing more", () => {
+    expect(misses([ratio(0.7), ratio(0.76)])).toEqual([]);
+    expect(misses([ratio(0.78)])).toEqual(["r: 0.780, goal ratio <= 0.7."]);
+    const rate = (v: number) => figure("f", "frames/s", [v], ">= 10000", (m) => m >= 10000);
+    expect(misses([rate(9100)])).toEqual([]);
+    expect(misses([rate(8900)])).toHaveLength(1);
+    expect(misses([figure("free", "m", [1], null, () => true)])).toEqual([]);
+  });
+
+  it("what was never measured is missed", () => {
+    expect(misses([{ ...ratio(0.9), ratio: null }])).toEqual(["r: not measured, goal ratio <= 0.7."]);
+    expect(misses([figure("empty", "ms", [], "<= 2 ms", (m) => m <= 2)])).toHaveLength(1);
+  });
+
+  it("draws a bar for each figure and its peer, with names as text", () => {
+    const svg = figureBars(
+      [{ name: "<b>", unit: "ms", value: 2, peer: { name: "p", value: 4 }, goal: null, ok: null }],
+      "t",
+    );
+    expect(svg).toContain('width="210.0"');
+    expect(svg).toContain('width="420.0"');
+    expect(svg).toContain("&#60;b&#62;");
+    expect(svg).not.toContain("<b>");
+  });
+});

@@ -1,0 +1,65 @@
+/** A library made in pieces by separate processes is the library made at once, byte for byte. */
+import { spawn, spawnSync } from "node:child_process";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { writeBvh } from "../../src/core/capture/bvh-write.ts";
+import { renderScore } from "../../src/studio/render.ts";
+import { studioSet } from "../../src/studio/set.ts";
+
+const CLI = ["src/cli/launch.mjs"];
+const folder = mkdtempSync(join(tmpdir(), "stepwright-shards-"));
+const clips = join(folder, "clips");
+const at = (name: string) => join(folder, name);
+
+/** One process of the command line. @returns its exit code. */
+const run = (...args: string[]): Promise<number | null> =>
+  new Promise((resolve) => {
+    spawn("node", [...CLI, ...args], { stdio: "ignore" }).on("close", resolve);
+  });
+
+describe("library in pieces", () => {
+  beforeAll(() => {
+    mkdirSync(clips);
+    // Names that sort another way with their endings than without.
+    ["b-2", "b", "a", "c", "b-1"].forEach((name, i) => {
+      const { clip, sidecar } = renderScore(studioSet()[i].score);
+      writeFileSync(join(clips, `${name}.bvh`), writeBvh(clip));
+      writeFileSync(join(clips, `${name}.json`), JSON.stringify(sidecar));
+    });
+    // Built once, so that the processes side by side find it.
+    expect(spawnSync("node", [...CLI, "--help"]).status).toBe(0);
+  }, 120_000);
+  afterAll(() => rmSync(folder, { recursive: true }));
+
+  it("any number of processes side by side, merged in any order, gives the same bytes", async () => {
+    expect(await run("library", "--clips", clips, "--out", at("whole.bin"))).toBe(0);
+    const whole = readFileSync(at("whole.bin"));
+    expect(whole.length).toBeGreaterThan(10_000);
+    // Seven pieces of five captures: two are empty.
+    for (const n of [2, 7]) {
+      const pieces = Array.from({ length: n }, (_, i) => at(`piece-${i + 1}-of-${n}.bin`));
+      const codes = await Promise.all(
+        pieces.map((out, i) => run("library", "--clips", clips, "--out", out, "--shard", `${i + 1}/${n}`)),
+      );
+      expect(codes.every((c) => c === 0)).toBe(true);
+      const merged = at(`merged-${n}.bin`);
+      expect(await run("library", "merge", ...pieces.reverse(), "--out", merged)).toBe(0);
+      expect(readFileSync(merged).equals(whole)).toBe(true);
+    }
+  }, 120_000);
+
+  it("a piece given twice, a broken one and a wrong number are refused", async () => {
+    const whole = at("whole.bin");
+    writeFileSync(at("broken.bin"), readFileSync(whole).subarray(0, 5000));
+    const twice = spawnSync("node", [...CLI, "library", "merge", whole, whole, "--out", at("x.bin")]);
+    expect(twice.status).toBe(1);
+    expect(String(twice.stderr)).toContain("merge: a is in the libraries twice.");
+    const broken = spawnSync("node", [...CLI, "library", "merge", at("broken.bin"), "--out", at("x.bin")]);
+    expect(broken.status).toBe(1);
+    expect(String(broken.stderr)).toContain("broken.bin: library:");
+    for (const shard of ["0/2", "3/2", "1.5/2", "a/b", "1"])
+      expect(await run("library", "--clips", clips, "--out", at("x.bin"), "--shard", shard)).toBe(2);
+  }, 60_000);
+});
