@@ -56,7 +56,7 @@ const FITTED: [string, Partial<Pace>, [number, number][]][] = [
     "bandai-1/run/happy",
     { length: 0.7213, time: 0.3835, stance: 0.4772, width: 0.06, toeOut: 0.0838 },
     [
-      [0.9, 0.99],
+      [0.85, 0.99],
       [0.8, 0.97],
       [0.8, 0.97],
     ],
