@@ -131,7 +131,12 @@ export function findPlants(track: FeetTrack): StylePlant[] {
  *
  * @param plants from `findPlants`, perhaps moved.
  */
-export function constrainFeet(track: FeetTrack, plants: readonly StylePlant[], shape: FootShape, leg: number): void {
+export function constrainFeet(
+  track: FeetTrack,
+  plants: readonly StylePlant[],
+  shape: FootShape,
+  leg: number,
+): void {
   const n = track.frames;
   // Displacement of ankle (3), yaw and toe bend where a foot is down.
   const shift = new Float64Array(5 * n);

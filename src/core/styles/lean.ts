@@ -41,7 +41,12 @@ export function leanAlong(path: MotionPath, at: Float64Array): Float64Array {
     let left = 0;
     for (let k = 0; k < 2; k++) {
       const a =
-        (-read(f + 2 * h, k) + 16 * read(f + h, k) - 30 * read(f, k) + 16 * read(f - h, k) - read(f - 2 * h, k)) * scale;
+        (-read(f + 2 * h, k) +
+          16 * read(f + h, k) -
+          30 * read(f, k) +
+          16 * read(f - h, k) -
+          read(f - 2 * h, k)) *
+        scale;
       left += a * (k === 0 ? Math.cos(yaw) : -Math.sin(yaw));
     }
     out[f] = Math.max(-MOST, Math.min(MOST, Math.atan2(left, GRAVITY)));

@@ -3,7 +3,12 @@
  */
 import type { Clip } from "../capture/clip.ts";
 import { smoothstep } from "../math/interpolate.ts";
-import { quatFromRotationVector, quatInverseMultiply, quatMultiply, quatToRotationVector } from "../math/quaternion.ts";
+import {
+  quatFromRotationVector,
+  quatInverseMultiply,
+  quatMultiply,
+  quatToRotationVector,
+} from "../math/quaternion.ts";
 import { type ContactPhases, createPhaseMap, KEY_PHASES, type PhaseMap } from "./gait-phase.ts";
 import { detectPlants } from "./plants.ts";
 import {
@@ -80,7 +85,9 @@ export function cutLoop(clip: Clip, name: string, steps: number | null = null): 
   if (to + blended > clip.frames) blended = Math.max(0, clip.frames - to - ((clip.frames - to) % 2));
   const line = referenceLine(clip, from, to, blended);
   if (!(line.speed * clip.rate > 0.05))
-    throw new StyleError(`${name}: the sample moves ${(line.speed * clip.rate).toFixed(2)} m/s, 0.05 are needed.`);
+    throw new StyleError(
+      `${name}: the sample moves ${(line.speed * clip.rate).toFixed(2)} m/s, 0.05 are needed.`,
+    );
   const rows = new Float64Array(ROW * frames);
   for (let f = 0; f < frames; f++) rowOf(rows, ROW * f, clip, from + f, line);
   closeLoop(rows, clip, to, blended, line);
@@ -158,7 +165,8 @@ function closeLoop(rows: Float64Array, clip: Clip, to: number, blended: number, 
   rowOf(after, 0, clip, to, line);
   const lack = new Float64Array(ROW);
   for (let k = 0; k < ROW; k++) lack[k] = rows[k] - after[k];
-  for (let j = 0; j < QUAT_COUNT; j++) quatInverseMultiply(lack, QUATS + 4 * j, after, QUATS + 4 * j, rows, QUATS + 4 * j);
+  for (let j = 0; j < QUAT_COUNT; j++)
+    quatInverseMultiply(lack, QUATS + 4 * j, after, QUATS + 4 * j, rows, QUATS + 4 * j);
   const q = new Float64Array(8);
   for (let f = 0; f < frames; f++) {
     // Half before the joint, half after it: the middle of the loop stays as captured.

@@ -74,9 +74,7 @@ export function smoothStroke(samples: readonly PathPoint[]): [number, number][] 
 function resample(points: readonly PathPoint[], spacing: number): [number, number][] {
   const sums = [0];
   for (let i = 1; i < points.length; i++)
-    sums.push(
-      sums[i - 1] + Math.hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]),
-    );
+    sums.push(sums[i - 1] + Math.hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]));
   const length = sums[sums.length - 1];
   const n = Math.max(1, Math.round(length / spacing));
   const out: [number, number][] = [];
@@ -104,7 +102,8 @@ function throughPoints(points: readonly PathPoint[]): [number, number][] {
     const p2 = points[i + 1];
     const p0 = i > 0 ? points[i - 1] : beyond(p1, p2);
     const p3 = i + 2 < n ? points[i + 2] : beyond(p2, p1);
-    const knot = (a: PathPoint, b: PathPoint) => Math.max(1e-4, Math.sqrt(Math.hypot(b[0] - a[0], b[1] - a[1])));
+    const knot = (a: PathPoint, b: PathPoint) =>
+      Math.max(1e-4, Math.sqrt(Math.hypot(b[0] - a[0], b[1] - a[1])));
     const d1 = knot(p0, p1);
     const d2 = knot(p1, p2);
     const d3 = knot(p2, p3);
@@ -117,10 +116,7 @@ function throughPoints(points: readonly PathPoint[]): [number, number][] {
         const u2 = u * u;
         const u3 = u2 * u;
         return (
-          (2 * u3 - 3 * u2 + 1) * p1[c] +
-          (u3 - 2 * u2 + u) * m1 +
-          (3 * u2 - 2 * u3) * p2[c] +
-          (u3 - u2) * m2
+          (2 * u3 - 3 * u2 + 1) * p1[c] + (u3 - 2 * u2 + u) * m1 + (3 * u2 - 2 * u3) * p2[c] + (u3 - u2) * m2
         );
       };
       out.push([at(0), at(1)]);
@@ -227,8 +223,7 @@ export function soften(track: Float64Array, sigma: number): Float64Array {
   for (let k = 1; k <= r; k++) total += 2 * kernel[k];
   for (let i = 0; i < n; i++) {
     let s = kernel[0] * track[i];
-    for (let k = 1; k <= r; k++)
-      s += kernel[k] * (track[Math.max(0, i - k)] + track[Math.min(n - 1, i + k)]);
+    for (let k = 1; k <= r; k++) s += kernel[k] * (track[Math.max(0, i - k)] + track[Math.min(n - 1, i + k)]);
     out[i] = s / total;
   }
   return out;

@@ -59,7 +59,8 @@ export function detectPlants(clip: Clip): [Plant[], Plant[]] {
         const b = 12 * Math.min(n - 1, f + 1) + 3 * k;
         const span = Math.min(n - 1, f + 1) - Math.max(0, f - 1);
         const v =
-          (Math.hypot(points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2]) * clip.rate) /
+          (Math.hypot(points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2]) *
+            clip.rate) /
           span;
         if (points[12 * f + 3 * k + 1] <= limit && v <= slow) bits[f] = 1;
       }

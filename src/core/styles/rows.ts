@@ -119,7 +119,8 @@ export function mixRows(
   u: number,
 ): void {
   for (let k = 0; k < QUATS; k++) out[o + k] = a[ai + k] + u * (b[bi + k] - a[ai + k]);
-  for (let j = 0; j < QUAT_COUNT; j++) mixQuat(out, o + QUATS + 4 * j, a, ai + QUATS + 4 * j, b, bi + QUATS + 4 * j, u);
+  for (let j = 0; j < QUAT_COUNT; j++)
+    mixQuat(out, o + QUATS + 4 * j, a, ai + QUATS + 4 * j, b, bi + QUATS + 4 * j, u);
   for (let k = LEGS; k < ROW; k++) out[o + k] = a[ai + k] + u * (b[bi + k] - a[ai + k]);
 }
 

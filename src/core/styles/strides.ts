@@ -58,7 +58,10 @@ export function stridesOf(clip: Clip, plants: readonly [Plant[], Plant[]]): Stri
       left: a,
       right: right[0],
       next: b,
-      length: Math.hypot(clip.root[3 * to] - clip.root[3 * from], clip.root[3 * to + 2] - clip.root[3 * from + 2]),
+      length: Math.hypot(
+        clip.root[3 * to] - clip.root[3 * from],
+        clip.root[3 * to + 2] - clip.root[3 * from + 2],
+      ),
     });
   }
   const usual = median(out.map((s) => s.length / (s.to - s.from)));
@@ -140,7 +143,8 @@ export function chooseCut(clip: Clip, strides: readonly Stride[], fixed: number 
   }
   const heldOut = candidates.filter((c) => c.strides < strides.length && c.loss > 0);
   const least = Math.min(NOTHING_REPEATS, ...heldOut.map((c) => c.loss));
-  const limit = least >= NOTHING_REPEATS ? KEEPS : Math.max(KEEPS, Math.min(NOTHING_REPEATS, NEAR_BEST * least));
+  const limit =
+    least >= NOTHING_REPEATS ? KEEPS : Math.max(KEEPS, Math.min(NOTHING_REPEATS, NEAR_BEST * least));
   const keeps = (c: CutCandidate) => c.loss <= limit && c.timing <= KEEPS_TIMING;
   const allowed = candidates.filter((c) => (fixed === null ? keeps(c) : c.strides === fixed));
   const pool = allowed.length > 0 ? allowed : candidates;
@@ -159,7 +163,15 @@ const world = new Float64Array(4 * JOINT_COUNT);
 
 /** End effectors about the hips, in the stride's own heading, at one frame. */
 function effectorsAt(out: Float64Array, o: number, clip: Clip, frame: number, yaw: number): void {
-  forwardKinematics(place, world, clip.skeleton, clip.root, 3 * frame, clip.rotations, 4 * JOINT_COUNT * frame);
+  forwardKinematics(
+    place,
+    world,
+    clip.skeleton,
+    clip.root,
+    3 * frame,
+    clip.rotations,
+    4 * JOINT_COUNT * frame,
+  );
   const s = Math.sin(yaw);
   const c = Math.cos(yaw);
   for (let i = 0; i < EFFECTOR_COUNT; i++) {

@@ -31,7 +31,13 @@ export interface PathOptions extends TimelineOptions {
   lean: boolean;
 }
 
-export const PATH_DEFAULTS: PathOptions = { adaptive: true, stride: true, stand: true, feet: true, lean: true };
+export const PATH_DEFAULTS: PathOptions = {
+  adaptive: true,
+  stride: true,
+  stand: true,
+  feet: true,
+  lean: true,
+};
 
 export interface PathMotion {
   clip: Clip;
@@ -87,7 +93,13 @@ export function synthesisePath(
 }
 
 /** A loop's row with the legs of the stride wanted, to `row`; `member` is work. */
-function readRow(row: Float64Array, member: Float64Array, family: StrideFamily, frame: number, scale: number): void {
+function readRow(
+  row: Float64Array,
+  member: Float64Array,
+  family: StrideFamily,
+  frame: number,
+  scale: number,
+): void {
   const { loop } = family;
   const f = frame - Math.floor(frame / loop.frames) * loop.frames;
   const i = Math.min(loop.frames - 1, Math.floor(f));
@@ -138,7 +150,8 @@ function towardsStanding(
   row[0] *= amount;
   row[1] *= amount;
   row[2] += still * (height - row[2]);
-  for (let j = 0; j < QUAT_COUNT; j++) mixQuat(row, QUATS + 4 * j, row, QUATS + 4 * j, mean, QUATS + 4 * j, still);
+  for (let j = 0; j < QUAT_COUNT; j++)
+    mixQuat(row, QUATS + 4 * j, row, QUATS + 4 * j, mean, QUATS + 4 * j, still);
   for (let side = 0; side < 2; side++) {
     const l = LEGS + LEG_STRIDE * side;
     const sign = side === 0 ? 1 : -1;
@@ -290,9 +303,14 @@ function closeLegs(clip: Clip, feet: ReturnType<typeof createFeetTrack>, knees: 
       const b = r - Q;
       const q = clip.rotations;
       for (let k = 0; k < Q; k += 4)
-        if (q[r + k] * q[b + k] + q[r + k + 1] * q[b + k + 1] + q[r + k + 2] * q[b + k + 2] + q[r + k + 3] * q[b + k + 3] < 0)
+        if (
+          q[r + k] * q[b + k] +
+            q[r + k + 1] * q[b + k + 1] +
+            q[r + k + 2] * q[b + k + 2] +
+            q[r + k + 3] * q[b + k + 3] <
+          0
+        )
           for (let c = 0; c < 4; c++) q[r + k + c] = -q[r + k + c];
     }
   }
 }
-

@@ -118,7 +118,7 @@ export function createTimeline(
   let startRamp = options.stand ? 0 : 1;
   let stopRamp = 1;
   let stopping = -1;
-  let landedLate = [false, false];
+  const landedLate = [false, false];
   let before = 3;
   let hold = options.stand ? STAND_BEFORE : 0;
   const stepFrames = () => loop.frames / (2 * loop.strides);
@@ -154,7 +154,8 @@ export function createTimeline(
     for (let side = 0; side < 2; side++)
       if ((down >> side) & 1 & ~(before >> side) && path.length - s < NEAR_END) landedLate[side] = true;
     before = down;
-    if (options.stand ? stopRamp <= 0 && landedLate[0] && landedLate[1] && down === 3 : s >= path.length) break;
+    if (options.stand ? stopRamp <= 0 && landedLate[0] && landedLate[1] && down === 3 : s >= path.length)
+      break;
 
     // A change of style begins wherever it is wanted, once the one before is done.
     const wanted = styleAt(changes, s);
@@ -173,7 +174,8 @@ export function createTimeline(
     if (blend) {
       const b = families[blend.to].loop;
       const v = (1 - Math.cos((Math.PI * (now - blend.start)) / blend.frames)) / 2;
-      const paceAt = (p: number) => (1 - v) * paceOfPhase(loop.phases, p) + v * paceOfPhase(b.phases, p - offset);
+      const paceAt = (p: number) =>
+        (1 - v) * paceOfPhase(loop.phases, p) + v * paceOfPhase(b.phases, p - offset);
       const half = phase + 0.5 / paceAt(phase);
       phase += 1 / paceAt(half);
       const a = frameOfPhase(loop.phases, phase);
@@ -210,7 +212,10 @@ export function createTimeline(
       const r = stopRamp;
       const ahead = stopping * step * scale * r ** 4 * (2.5 - 3 * r + r * r);
       const left = path.length - s;
-      way = r > 0.05 ? way * Math.max(0.4, Math.min(2, left / Math.max(1e-6, ahead))) : Math.min(0.01, 0.12 * left);
+      way =
+        r > 0.05
+          ? way * Math.max(0.4, Math.min(2, left / Math.max(1e-6, ahead)))
+          : Math.min(0.01, 0.12 * left);
     }
     s += way;
     if (options.stand && s > path.length) s = path.length;
