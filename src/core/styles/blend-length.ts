@@ -1,0 +1,48 @@
+/** How long a change of style takes [Express §6.2], so that no end effector has to hurry. */
+import type { LoopSequence } from "./loop.ts";
+import { loopRow } from "./loop.ts";
+import { EFFECTOR_COUNT, EFFECTORS, ROW } from "./rows.ts";
+
+/** The blend length of earlier work, kept for comparison, seconds [Express §8]. */
+export const FIXED_BLEND = 0.33;
+/** Shortest blend, seconds. */
+const SHORTEST = 0.15;
+const RATE = 60;
+
+export const EFFECTOR_NAMES = ["head", "leftHand", "rightHand", "leftFoot", "rightFoot"] as const;
+
+export interface BlendLength {
+  /** Frames at 60 Hz. */
+  frames: number;
+  /** End effector with the largest gap, index in EFFECTOR_NAMES, and that gap in metres. */
+  effector: number;
+  gap: number;
+  /** Difference of its mean travel in the two styles, metres a frame. */
+  pace: number;
+}
+
+const rowA = new Float64Array(ROW);
+const rowB = new Float64Array(ROW);
+
+/**
+ * Blend length from frame `a` of one loop to frame `b` of another: the largest gap of an end effector over the difference
+ * of its mean travel a frame, hips' place and heading removed; held between 0.15 s and one pass of the longer loop.
+ */
+export function blendLength(from: LoopSequence, a: number, to: LoopSequence, b: number): BlendLength {
+  loopRow(rowA, 0, from, a);
+  loopRow(rowB, 0, to, b);
+  let effector = 0;
+  let gap = -1;
+  for (let i = 0; i < EFFECTOR_COUNT; i++) {
+    const e = EFFECTORS + 3 * i;
+    const d = Math.hypot(rowA[e] - rowB[e], rowA[e + 1] - rowB[e + 1], rowA[e + 2] - rowB[e + 2]);
+    if (d > gap) {
+      gap = d;
+      effector = i;
+    }
+  }
+  const pace = Math.abs(from.travel[effector] - to.travel[effector]);
+  const longest = Math.max(from.frames, to.frames);
+  const frames = Math.min(longest, Math.max(SHORTEST * RATE, pace > 1e-9 ? gap / pace : longest));
+  return { frames, effector, gap, pace };
+}

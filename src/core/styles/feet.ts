@@ -1,0 +1,238 @@
+/**
+ * Foot constraints [Express §7.1]: each plant gets one place and one yaw, and the ankle's way between plants passes into them.
+ *
+ * Where a foot rests it rolls in closed form about heel, ball and tip, so that nothing slides; its place is the mean of where
+ * the unconstrained foot would be, its yaw the mean swivel. In the air the unconstrained path is displaced by a Hermite curve
+ * that takes over place and speed at both ends.
+ */
+import { wrapAngle } from "../math/angle.ts";
+import { contactsOfPitch, plantedAnkle } from "../motion/sole.ts";
+import type { FootShape } from "../skeleton/skeleton.ts";
+import type { Foot } from "../steps/types.ts";
+
+/** Feet over a motion; a row a frame, left then right. */
+export interface FeetTrack {
+  frames: number;
+  /** Print on the ground as if the foot were flat: x, up, z. In: unconstrained. */
+  print: Float64Array;
+  yaw: Float64Array;
+  /** Toe up positive. */
+  pitch: Float64Array;
+  toeBend: Float64Array;
+  /** Bit a foot. */
+  down: Uint8Array;
+  /** Standing still in its final place (1) or moving. */
+  still: Uint8Array;
+  /** Out: ankle joints, x, y, z. */
+  ankle: Float64Array;
+  contacts: Uint8Array;
+}
+
+/** Where a foot rests, and when. */
+export interface StylePlant {
+  foot: Foot;
+  x: number;
+  z: number;
+  yaw: number;
+  /** First frame, and one past the last. */
+  from: number;
+  to: number;
+}
+
+export function createFeetTrack(frames: number): FeetTrack {
+  return {
+    frames,
+    print: new Float64Array(6 * frames),
+    yaw: new Float64Array(2 * frames),
+    pitch: new Float64Array(2 * frames),
+    toeBend: new Float64Array(2 * frames),
+    down: new Uint8Array(frames),
+    still: new Uint8Array(frames),
+    ankle: new Float64Array(6 * frames),
+    contacts: new Uint8Array(frames),
+  };
+}
+
+/** Flat foot: pitches that count fully for the place of a plant, radians. */
+const FLAT = 0.12;
+/** Clearance of a swinging sole, metres at a leg of 0.93 m. */
+const CLEAR = 0.008;
+/** Largest speed difference that the way between plants takes over, metres a frame. */
+const MOST_SPEED = 0.012;
+
+const out = new Float64Array(3);
+
+/** Ankle joint of a print at a pitch. */
+function ankleOf(shape: FootShape, x: number, y: number, z: number, yaw: number, pitch: number): void {
+  plantedAnkle(out, shape, Math.max(-1.5, Math.min(0.8, pitch)));
+  const ahead = out[0];
+  const up = out[1];
+  const bend = out[2];
+  out[0] = x + Math.sin(yaw) * ahead;
+  out[1] = y + up;
+  out[2] = z + Math.cos(yaw) * ahead;
+  plantBend = bend;
+}
+let plantBend = 0;
+
+/** Unconstrained ankles, for showing what the constraints are there for; contacts are claimed as if they held. */
+export function freeFeet(track: FeetTrack, shape: FootShape): void {
+  for (let f = 0; f < track.frames; f++) {
+    let bits = 0;
+    for (let side = 0; side < 2; side++) {
+      const i = 2 * f + side;
+      const p = 6 * f + 3 * side;
+      ankleOf(shape, track.print[p], track.print[p + 1], track.print[p + 2], track.yaw[i], track.pitch[i]);
+      for (let k = 0; k < 3; k++) track.ankle[p + k] = out[k];
+      if ((track.down[f] >> side) & 1) bits |= contactsOfPitch(track.pitch[i]) << (2 * side);
+    }
+    track.contacts[f] = bits;
+  }
+}
+
+/** Plants of a track in order of time, placed by the mean of their frames. */
+export function findPlants(track: FeetTrack): StylePlant[] {
+  const plants: StylePlant[] = [];
+  for (let side = 0; side < 2; side++) {
+    for (let f = 0; f < track.frames; f++) {
+      if (!((track.down[f] >> side) & 1)) continue;
+      let to = f;
+      let x = 0;
+      let z = 0;
+      let turn = 0;
+      let total = 0;
+      const yaw0 = track.yaw[2 * f + side];
+      for (; to < track.frames && (track.down[to] >> side) & 1; to++) {
+        const i = 2 * to + side;
+        const flat = track.pitch[i] / FLAT;
+        // Flat frames say best where the foot is; where it stands still they alone do.
+        const w = (track.still[to] ? 200 : 1) / (1 + flat * flat * flat * flat);
+        x += w * track.print[6 * to + 3 * side];
+        z += w * track.print[6 * to + 3 * side + 2];
+        turn += w * wrapAngle(track.yaw[i] - yaw0);
+        total += w;
+      }
+      plants.push({
+        foot: side === 0 ? "left" : "right",
+        x: x / total,
+        z: z / total,
+        yaw: wrapAngle(yaw0 + turn / total),
+        from: f,
+        to,
+      });
+      f = to;
+    }
+  }
+  return plants.sort((a, b) => a.from - b.from || (a.foot < b.foot ? -1 : 1));
+}
+
+/**
+ * Enforces plants: writes ankles, yaws, toe bends and contacts.
+ *
+ * @param plants from `findPlants`, perhaps moved.
+ */
+export function constrainFeet(
+  track: FeetTrack,
+  plants: readonly StylePlant[],
+  shape: FootShape,
+  leg: number,
+): void {
+  const n = track.frames;
+  // Displacement of ankle (3), yaw and toe bend where a foot is down.
+  const shift = new Float64Array(5 * n);
+  track.contacts.fill(0);
+  for (let side = 0; side < 2; side++) {
+    const foot = side === 0 ? "left" : "right";
+    const own = plants.filter((p) => p.foot === foot);
+    for (let f = 0; f < n; f++) {
+      const i = 2 * f + side;
+      const p = 6 * f + 3 * side;
+      ankleOf(shape, track.print[p], track.print[p + 1], track.print[p + 2], track.yaw[i], track.pitch[i]);
+      for (let k = 0; k < 3; k++) track.ankle[p + k] = out[k];
+    }
+    for (const plant of own) {
+      for (let f = plant.from; f < plant.to; f++) {
+        const i = 2 * f + side;
+        const p = 6 * f + 3 * side;
+        ankleOf(shape, plant.x, 0, plant.z, plant.yaw, track.pitch[i]);
+        const s = 5 * f;
+        for (let k = 0; k < 3; k++) shift[s + k] = out[k] - track.ankle[p + k];
+        shift[s + 3] = wrapAngle(plant.yaw - track.yaw[i]);
+        shift[s + 4] = plantBend - track.toeBend[i];
+        for (let k = 0; k < 3; k++) track.ankle[p + k] = out[k];
+        track.yaw[i] += shift[s + 3];
+        track.toeBend[i] = plantBend;
+        track.contacts[f] |= contactsOfPitch(track.pitch[i]) << (2 * side);
+      }
+    }
+    for (let k = 0; k <= own.length; k++)
+      swing(track, side, k > 0 ? own[k - 1] : null, own[k] ?? null, shift, shape, leg);
+  }
+}
+
+/** The air between two plants; before the first or after the last, one end's displacement is kept. */
+function swing(
+  track: FeetTrack,
+  side: number,
+  before: StylePlant | null,
+  after: StylePlant | null,
+  shift: Float64Array,
+  shape: FootShape,
+  leg: number,
+): void {
+  const last = before ? before.to - 1 : -1;
+  const next = after ? after.from : track.frames;
+  const length = next - last;
+  let lack = 0;
+  for (let f = last + 1; f < next; f++) {
+    const u = (f - last) / length;
+    const v = 1 - u;
+    const i = 2 * f + side;
+    const p = 6 * f + 3 * side;
+    // Quintic ease between the ends' displacements; speeds are taken over near each end.
+    const s = before && after ? u * u * u * (10 + u * (6 * u - 15)) : after ? 1 : 0;
+    const h0 = before && after ? length * u * v ** 4 : 0;
+    const h1 = before && after ? length * v * u ** 4 : 0;
+    for (let k = 0; k < 5; k++) {
+      const a = before ? shift[5 * last + k] : 0;
+      const b = after ? shift[5 * next + k] : 0;
+      const most = MOST_SPEED * (leg / 0.93) * (k < 3 ? 1 : 8);
+      const m0 = before && before.to - before.from > 1 ? clamp(a - shift[5 * (last - 1) + k], most) : 0;
+      const m1 = after && after.to - after.from > 1 ? clamp(shift[5 * (next + 1) + k] - b, most) : 0;
+      const d = (1 - s) * a + s * b + h0 * m0 - h1 * m1;
+      if (k < 3) track.ankle[p + k] += d;
+      else if (k === 3) track.yaw[i] += d;
+      else track.toeBend[i] += d;
+    }
+    const bump = Math.sin(Math.PI * u) ** 2;
+    const wanted = CLEAR * (leg / 0.93) * Math.min(1, 6 * u, 6 * v);
+    const low = track.ankle[p + 1] + lowestOf(shape, track.pitch[i], track.toeBend[i]);
+    if (bump > 0.1) lack = Math.max(lack, (wanted - low) / bump);
+  }
+  for (let f = last + 1; f < next; f++) {
+    const u = (f - last) / length;
+    const i = 2 * f + side;
+    const p = 6 * f + 3 * side;
+    track.ankle[p + 1] += lack * Math.sin(Math.PI * u) ** 2;
+    // What the bump does not reach, near the ends: the toes give way, then the ankle.
+    const heelAndBall = track.ankle[p + 1] + lowestOf(shape, track.pitch[i], 1);
+    if (heelAndBall < 0) track.ankle[p + 1] -= heelAndBall;
+    for (let k = 0; k < 8; k++) {
+      if (track.ankle[p + 1] + lowestOf(shape, track.pitch[i], track.toeBend[i]) >= -1e-4) break;
+      track.toeBend[i] += 0.08;
+    }
+  }
+}
+
+const clamp = (v: number, most: number): number => Math.max(-most, Math.min(most, v));
+
+/** Height of the lowest of heel, ball and tip against the ankle joint. */
+function lowestOf(shape: FootShape, pitch: number, bend: number): number {
+  const s = Math.sin(pitch);
+  const c = Math.cos(pitch);
+  const heel = -shape.heelBack * s - shape.ankleHeight * c;
+  const joint = shape.ballForward * s - (shape.ankleHeight - shape.ballHeight) * c;
+  const ball = joint - shape.ballHeight * c;
+  const tip = joint + shape.tipForward * Math.sin(pitch + bend) - shape.ballHeight * Math.cos(pitch + bend);
+  return Math.min(heel, ball, tip);
+}
