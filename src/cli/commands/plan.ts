@@ -5,7 +5,9 @@ import { beginSynthesis, type SwingCache, synthesiseClip } from "../../core/moti
 import { measureMotion } from "../../core/quality/measure.ts";
 import { resultDocument } from "../../core/scene/result.ts";
 import { readScene } from "../../core/scene/schema.ts";
-import { createSkeleton } from "../../core/skeleton/skeleton.ts";
+import type { Scene } from "../../core/scene/types.ts";
+import { createSkeleton, type Skeleton } from "../../core/skeleton/skeleton.ts";
+import { planPaths, stylesOf } from "../../core/styles/plan-paths.ts";
 import { goalsOf, planScene } from "../../core/tasks/plan-scene.ts";
 import { buildLibrary } from "../../core/templates/build-library.ts";
 import { decodeLibrary, encodeLibrary } from "../../core/templates/library-file.ts";
@@ -13,6 +15,7 @@ import { retargetLibrary } from "../../core/templates/retarget-library.ts";
 import type { Library } from "../../core/templates/types.ts";
 import { needed, one, outputs, readOptions } from "../args.ts";
 import { readText } from "../read.ts";
+import { styleFamilies } from "../style-families.ts";
 import { studioCaptures } from "./library.ts";
 
 /** Where the shipped library is kept once it has been made. */
@@ -25,6 +28,35 @@ function shippedLibrary(): Library {
     writeFileSync(SHIPPED, encodeLibrary(buildLibrary(studioCaptures(() => undefined))));
   }
   return decodeLibrary(readFileSync(SHIPPED));
+}
+
+/** A scene's paths: footsteps and motion, written as a plan's are. */
+function planAlongPaths(
+  scene: Scene,
+  skeleton: Skeleton,
+  name: string,
+  out: string,
+  bvh: string | undefined,
+) {
+  const { plan, motion } = planPaths(scene, skeleton, styleFamilies(stylesOf(scene), skeleton));
+  const clip = { ...motion.clip, name };
+  const chunk = {
+    first: 0,
+    frames: clip.frames,
+    root: Float32Array.from(clip.root),
+    rotations: Float32Array.from(clip.rotations),
+    contacts: motion.contacts,
+  };
+  const quality = measureMotion(skeleton, [chunk], clip.frames, plan, []);
+  writeFileSync(out, `${JSON.stringify(resultDocument(scene, plan, motion.contacts, quality))}\n`);
+  if (bvh) writeFileSync(bvh, writeBvh(clip));
+  return {
+    scene: name,
+    footsteps: plan.steps.length,
+    seconds: plan.duration,
+    warnings: plan.warnings,
+    quality,
+  };
 }
 
 export const planCommand = {
@@ -47,6 +79,12 @@ export const planCommand = {
       const key = JSON.stringify([height, proportions]);
       const character = kept.get(key) ?? { library: retargetLibrary(base, skeleton), cache: new Map() };
       kept.set(key, character);
+      const bvh = many ? to[i].replace(/\.json$/, ".bvh") : one(o, "bvh");
+      if (scene.paths.length > 0) {
+        if (scene.tasks.length > 0 || scene.stones.length > 0)
+          throw new Error(`${f}: paths: a scene with paths has no tasks and no stones yet.`);
+        return planAlongPaths(scene, skeleton, f, to[i], bvh);
+      }
       const goals = goalsOf(scene);
       const plan = planScene(scene, character.library, skeleton);
       const synthesis = beginSynthesis(character.library, skeleton, plan, goals, character.cache);
@@ -63,7 +101,6 @@ export const planCommand = {
         to[i],
         `${JSON.stringify(resultDocument(scene, plan, synthesis.track.contacts, quality))}\n`,
       );
-      const bvh = many ? to[i].replace(/\.json$/, ".bvh") : one(o, "bvh");
       if (bvh) writeFileSync(bvh, writeBvh(clip));
       return {
         scene: f,

@@ -159,7 +159,7 @@ function towardsStanding(
     row[l + 1] *= 0.4 + 0.6 * amount;
     row[l + 2] *= amount;
     row[l + 3] += still * (sign * STAND_OUT - row[l + 3]);
-    row[l + 4] *= 0.15 + 0.85 * amount;
+    row[l + 4] *= amount;
     row[l + 5] *= amount;
   }
 }

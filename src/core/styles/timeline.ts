@@ -130,7 +130,9 @@ export function createTimeline(
     const other = blend ? families[blend.to].loop : loop;
     const contactsA = loop.contacts[mod(Math.floor(phase), loop.strides)];
     const contactsB = other.contacts[mod(Math.floor(phase - offset), other.strides)];
-    const down = hold > 0 ? 3 : downBits(contactsA, contactsB, w, phase);
+    let down = hold > 0 ? 3 : downBits(contactsA, contactsB, w, phase);
+    // Once the way is done a foot that has landed stays: a run has no frame with both feet down.
+    if (options.stand && stopRamp <= 0) down |= (landedLate[0] ? 1 : 0) | (landedLate[1] ? 2 : 0);
     out.at.push(s);
     out.scale.push(scale);
     out.amount.push(amount);
