@@ -25,7 +25,7 @@ interface StyleSpec {
 
 const SPECS: Record<Style, StyleSpec> = {
   walking: { pace: {}, mood: {}, steps: 8 },
-  jogging: { pace: { length: 0.92, time: 0.385, stance: 0.42, width: 0.09 }, mood: { lean: 5 }, steps: 8 },
+  jogging: { pace: { length: 0.92, time: 0.385, stance: 0.42, width: 0.09 }, mood: { lean: 5 }, steps: 14 },
   // Up on the toes, arms high and loose, chest out.
   excited: {
     pace: { length: 0.62, time: 0.45, stance: 0.6 },

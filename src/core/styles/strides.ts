@@ -33,7 +33,7 @@ const NOTHING_REPEATS = 0.13;
 /** How much the strides' durations and lengths may differ, shares. */
 const KEEPS_TIMING = 0.25;
 /** Strides slower than this share of the usual speed are starts and stops. */
-const STEADY = 0.72;
+const STEADY = 0.85;
 
 /** Strides of a sample, in order; each follows the one before where no plant is missing between. */
 export function stridesOf(clip: Clip, plants: readonly [Plant[], Plant[]]): Stride[] {
