@@ -9,8 +9,8 @@ export const POINT_SPACING = 0.1;
 const WINDOW = 7;
 /** Distance between rows of the finished table, metres. */
 const TABLE_STEP = 0.02;
-/** Deviation of the bell that softens the body's heading along the path, metres: less than half a step. */
-const HEADING_SIGMA = 0.1;
+/** Deviation of the bell that softens the body's heading along the path, metres: a corner is turned over a step or two. */
+const HEADING_SIGMA = 0.2;
 
 /** A place on the ground, x and z, metres. */
 export type PathPoint = readonly [number, number];

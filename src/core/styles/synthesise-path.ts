@@ -15,12 +15,13 @@ import {
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { ContactTrack } from "../steps/types.ts";
+import { balanceOnPath } from "./balance.ts";
 import { MEMBER_ROW, readFamily, type StrideFamily } from "./family.ts";
 import { constrainFeet, createFeetTrack, findPlants, freeFeet, type StylePlant } from "./feet.ts";
 import { leanAlong } from "./lean.ts";
 import type { LoopSequence } from "./loop.ts";
 import { type MotionPath, placeOnPath, readPath } from "./path.ts";
-import { LEG_STRIDE, LEGS, mixQuat, QUAT_COUNT, QUATS, ROW } from "./rows.ts";
+import { LEG_STRIDE, LEGS, mixQuat, mixRows, QUAT_COUNT, QUATS, ROW } from "./rows.ts";
 import { createTimeline, type StyleChange, type Timeline, type TimelineOptions } from "./timeline.ts";
 
 /** Each enhancement of [Express §§6.2, 7] can be switched off to show why it is there. */
@@ -29,6 +30,8 @@ export interface PathOptions extends TimelineOptions {
   feet: boolean;
   /** The body leans into turns. */
   lean: boolean;
+  /** The zero-moment point is brought back over the planted feet. */
+  balance: boolean;
 }
 
 export const PATH_DEFAULTS: PathOptions = {
@@ -37,6 +40,7 @@ export const PATH_DEFAULTS: PathOptions = {
   stand: true,
   feet: true,
   lean: true,
+  balance: true,
 };
 
 export interface PathMotion {
@@ -89,6 +93,12 @@ export function synthesisePath(
   else freeFeet(feet, skeleton.foot);
   reachFeet(clip, feet.ankle);
   closeLegs(clip, feet, knees);
+  if (o.feet && o.balance) {
+    const heading = timeline.at.map((s) => readPath(path, path.heading, s));
+    balanceOnPath(clip, plants, feet.contacts, heading, () => closeLegs(clip, feet, knees));
+    reachFeet(clip, feet.ankle);
+    closeLegs(clip, feet, knees);
+  }
   return { clip, contacts: feet.contacts, plants, timeline, lean };
 }
 
@@ -178,6 +188,7 @@ function layFrames(
   const row = new Float64Array(ROW);
   const other = new Float64Array(ROW);
   const member = new Float64Array(MEMBER_ROW);
+  const mean = new Float64Array(ROW);
   const p = new Float64Array(2);
   const q = new Float64Array(12);
   for (let f = 0; f < timeline.frames; f++) {
@@ -191,14 +202,21 @@ function layFrames(
       mixInto(row, other, w);
       height += w * (standHeight(familyB.loop, skeleton) - height);
     }
-    if (timeline.amount[f] < 1) towardsStanding(row, familyA.loop.mean, height, timeline.amount[f], skeleton);
+    if (timeline.amount[f] < 1) {
+      let stance = familyA.loop.mean;
+      if (w > 0) {
+        mixRows(mean, 0, stance, 0, families[timeline.styleB[f]].loop.mean, 0, w);
+        stance = mean;
+      }
+      towardsStanding(row, stance, height, timeline.amount[f], skeleton);
+    }
     feet.still[f] = timeline.amount[f] <= 0 && timeline.down[f] === 3 ? 1 : 0;
     const s = timeline.at[f];
     const tilt = lean[f];
     const yaw = readPath(path, path.heading, s);
     // Hips: on the path's own offset. The lean turns the body about them.
     placeOnPath(p, path, s + row[0]);
-    const t = readPath(path, path.tangent, s + row[0]);
+    const t = readPath(path, path.heading, s + row[0]);
     clip.root[3 * f] = p[0] + Math.cos(t) * row[1];
     clip.root[3 * f + 1] = row[2] * Math.cos(tilt);
     clip.root[3 * f + 2] = p[1] - Math.sin(t) * row[1];
@@ -214,12 +232,11 @@ function layFrames(
       // A foot is laid where the path will be or was: what rests in the sample rests on the path.
       const along = s + row[l + 2];
       placeOnPath(p, path, along);
-      const ft = readPath(path, path.tangent, along);
-      const lateral = row[l] - outwards;
-      feet.print[g] = p[0] + Math.cos(ft) * lateral;
-      feet.print[g + 1] = row[l + 1];
-      feet.print[g + 2] = p[1] - Math.sin(ft) * lateral;
       const heading = readPath(path, path.heading, along);
+      const lateral = row[l] - outwards;
+      feet.print[g] = p[0] + Math.cos(heading) * lateral;
+      feet.print[g + 1] = row[l + 1];
+      feet.print[g + 2] = p[1] - Math.sin(heading) * lateral;
       feet.yaw[i] = heading + row[l + 3];
       feet.pitch[i] = row[l + 4];
       feet.toeBend[i] = row[l + 5];

@@ -130,9 +130,11 @@ export function createTimeline(
     const other = blend ? families[blend.to].loop : loop;
     const contactsA = loop.contacts[mod(Math.floor(phase), loop.strides)];
     const contactsB = other.contacts[mod(Math.floor(phase - offset), other.strides)];
-    let down = hold > 0 ? 3 : downBits(contactsA, contactsB, w, phase);
-    // Once the way is done a foot that has landed stays: a run has no frame with both feet down.
-    if (options.stand && stopRamp <= 0) down |= (landedLate[0] ? 1 : 0) | (landedLate[1] ? 2 : 0);
+    // A foot that has come to its last place stays there: a run has no moment in which both are down.
+    const down =
+      hold > 0
+        ? 3
+        : downBits(contactsA, contactsB, w, phase) | (landedLate[0] ? 1 : 0) | (landedLate[1] ? 2 : 0);
     out.at.push(s);
     out.scale.push(scale);
     out.amount.push(amount);
@@ -154,10 +156,10 @@ export function createTimeline(
     }
     // A foot that lands when the way is done stands where it will stay.
     for (let side = 0; side < 2; side++)
-      if ((down >> side) & 1 & ~(before >> side) && path.length - s < NEAR_END) landedLate[side] = true;
+      if (stopping > 0 && (down >> side) & 1 & ~(before >> side) && path.length - s < NEAR_END)
+        landedLate[side] = true;
     before = down;
-    if (options.stand ? stopRamp <= 0 && landedLate[0] && landedLate[1] && down === 3 : s >= path.length)
-      break;
+    if (options.stand ? stopRamp <= 0 && landedLate[0] && landedLate[1] : s >= path.length) break;
 
     // A change of style begins wherever it is wanted, once the one before is done.
     const wanted = styleAt(changes, s);
