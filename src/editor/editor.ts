@@ -26,6 +26,7 @@ import { panel } from "./parts/panel.ts";
 import { timeline } from "./parts/timeline.ts";
 import { toolRail } from "./parts/tool-rail.ts";
 import { topBar } from "./parts/top-bar.ts";
+import { drawPath } from "./path-tool.ts";
 import { PlannerClient } from "./planner-client.ts";
 import { createEditorStore, type EditorState, type Store, type Tool } from "./state.ts";
 import { saveScene } from "./storage.ts";
@@ -142,6 +143,7 @@ export class Editor {
     this.stage.frame([
       [scene.start.position[0], 0, scene.start.position[1]],
       ...scene.tasks.map((t): [number, number, number] => t.position),
+      ...scene.paths.flatMap((p) => p.points.map((q): [number, number, number] => [q[0], 0, q[1]])),
     ]);
   }
 
@@ -444,6 +446,12 @@ export class Editor {
       if (s.menu !== "none") this.set({ menu: "none" });
       return;
     }
+    if (s.tool === "path") {
+      drawPath(this, this.places.canvas, e, (p) =>
+        this.stage.levelPoint(p.clientX - box.left, p.clientY - box.top, 0),
+      );
+      return;
+    }
     const point = this.stage.levelPoint(e.clientX - box.left, e.clientY - box.top, 0);
     if (!point) return;
     this.add(s.tool, point[0], point[1]);
@@ -486,6 +494,25 @@ export class Editor {
     this.set({ selected: null, tab: "scene" });
     this.changed(true);
     this.say("Task deleted.", true);
+  }
+
+  /** How far along its way the character is at the present time, 0 to 1: by the distance that its hips have gone. */
+  shareOfPath(): number {
+    const m = this.motion.current;
+    if (!m || m.filled < 2) return 0.5;
+    const now = Math.min(m.filled - 1, Math.floor(this.store.getState().time * 60));
+    let gone = 0;
+    let all = 0;
+    for (let f = 1; f < m.filled; f++) {
+      all += Math.hypot(m.root[3 * f] - m.root[3 * f - 3], m.root[3 * f + 2] - m.root[3 * f - 1]);
+      if (f === now) gone = all;
+    }
+    return all > 0 ? gone / all : 0.5;
+  }
+
+  removePath(id: string): void {
+    this.edit((scene, c) => c.removePath(scene, id));
+    this.say("Path deleted.", true);
   }
 
   /** Height and legs; `done` when the slider is let go. */

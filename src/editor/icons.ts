@@ -7,6 +7,9 @@ const icon = (body: TemplateResult): TemplateResult =>
 
 export const ICONS = {
   select: icon(svg`<path d="M4 3l9.5 4.6-4 1.5-1.6 4.2z" />`),
+  path: icon(
+    svg`<path d="M4 15c0-5 9-3 9-8 0-2-1.600-3-3.500-3" /><circle cx="4" cy="15" r="1.200" /><circle cx="9" cy="4" r="1.200" />`,
+  ),
   undo: icon(svg`<path d="M6 4L3 7l3 3M3 7h7a4 4 0 010 8H7" />`),
   redo: icon(svg`<path d="M12 4l3 3-3 3M15 7H8a4 4 0 000 8h3" />`),
   light: icon(

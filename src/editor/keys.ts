@@ -28,6 +28,7 @@ export function pageKey(e: Editor, ev: KeyboardEvent): void {
   else if (key === ".") e.stepFrame(1);
   else if (key === "delete" || key === "backspace") act(() => e.remove());
   else if (key === "v") e.setTool("select");
+  else if (key === "l") e.setTool("path");
   else if (key === "f") e.frameScene();
   else if (key === "p") e.setColouring(e.store.getState().colouring === "phase" ? "category" : "phase");
   else if (key === "?") e.setHelp(true);

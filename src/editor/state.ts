@@ -7,7 +7,7 @@ import type { Plan } from "../core/tasks/plan-types.ts";
 import type { FootprintMode } from "../view/footprints.ts";
 import type { Theme } from "../view/tokens.ts";
 
-export type Tool = "select" | TaskCategory;
+export type Tool = "select" | "path" | TaskCategory;
 
 export interface EditorState {
   scene: Scene;

@@ -8,23 +8,29 @@ import { beginSynthesis, handResults, type SwingCache, synthesiseChunk } from ".
 import type { MotionChunk } from "../core/motion/types.ts";
 import { measureMotion } from "../core/quality/measure.ts";
 import type { Scene } from "../core/scene/types.ts";
+import { JOINT_COUNT } from "../core/skeleton/joints.ts";
 import { createSkeleton } from "../core/skeleton/skeleton.ts";
+import type { StrideFamily } from "../core/styles/family.ts";
+import { planPaths, stylesOf } from "../core/styles/plan-paths.ts";
 import { goalsOf, planScene } from "../core/tasks/plan-scene.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
 import type { TaskGoal } from "../core/tasks/transition.ts";
 import { decodeLibrary } from "../core/templates/library-file.ts";
 import { retargetLibrary } from "../core/templates/retarget-library.ts";
 import type { Library } from "../core/templates/types.ts";
+import { styleFamilies } from "../studio/style-families.ts";
 import type { PlannerRequest, PlannerResponse } from "./protocol.ts";
 
 /** Frames made between two looks at the inbox. */
 const SLICE = 240;
+const Q = 4 * JOINT_COUNT;
 
 type PlanRequest = Extract<PlannerRequest, { type: "plan" }>;
 
 let base: Library | null = null;
 let character: { key: string; library: Library; cache: SwingCache } | null = null;
 let playing: { plan: Plan; goals: TaskGoal[]; key: string; shift: Float64Array | null } | null = null;
+let families: { key: string; byStyle: Map<string, StrideFamily> } | null = null;
 let newest: PlanRequest | null = null;
 let busy = false;
 
@@ -60,8 +66,48 @@ function libraryFor(scene: Scene): { key: string; library: Library; cache: Swing
   return character;
 }
 
+/** A scene with paths: the walk along them, in the styles painted; tasks wait until there are no paths. */
+async function answerPaths(request: PlanRequest): Promise<void> {
+  const { scene } = request;
+  const skeleton = createSkeleton(scene.character.height, scene.character.proportions);
+  const begun = performance.now();
+  const { key } = libraryFor(scene);
+  if (families?.key !== key) families = { key, byStyle: new Map() };
+  const missing = stylesOf(scene).filter((style) => !families?.byStyle.has(style));
+  for (const [style, family] of styleFamilies(missing, skeleton)) families.byStyle.set(style, family);
+  const { plan, motion } = planPaths(scene, skeleton, families.byStyle);
+  if (scene.tasks.length > 0) plan.warnings.push("paths: tasks wait while a path is followed.");
+  playing = null;
+  const { clip, contacts } = motion;
+  post({ type: "planned", id: request.id, plan, planMs: performance.now() - begun, frames: clip.frames });
+  await pause();
+  const started = performance.now();
+  const chunks: MotionChunk[] = [];
+  for (let first = 0; first < clip.frames; first += SLICE) {
+    if (newest !== request) {
+      post({ type: "dropped", id: request.id });
+      return;
+    }
+    const frames = Math.min(SLICE, clip.frames - first);
+    const cut = (): MotionChunk => ({
+      first,
+      frames,
+      root: Float32Array.from(clip.root.subarray(3 * first, 3 * (first + frames))),
+      rotations: Float32Array.from(clip.rotations.subarray(Q * first, Q * (first + frames))),
+      contacts: contacts.slice(first, first + frames),
+    });
+    chunks.push(cut());
+    post({ type: "motion", id: request.id, chunk: cut() });
+    await pause();
+  }
+  const motionMs = performance.now() - started;
+  const quality = measureMotion(skeleton, chunks, clip.frames, plan, []);
+  post({ type: "finished", id: request.id, boxes: [], ink: [], quality, motionMs });
+}
+
 async function answer(request: PlanRequest): Promise<void> {
   const { scene } = request;
+  if (scene.paths.length > 0) return answerPaths(request);
   const { key, library, cache } = libraryFor(scene);
   const skeleton = createSkeleton(scene.character.height, scene.character.proportions);
   const begun = performance.now();

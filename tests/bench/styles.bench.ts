@@ -1,5 +1,5 @@
 /** Cost of paths with style: frames synthesised a second, a whole path after a drag, families built ahead. */
-import { styleFamilies } from "../../src/cli/style-families.ts";
+import { styleFamilies } from "../../src/studio/style-families.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { createPath, type PathPoint } from "../../src/core/styles/path.ts";
 import { synthesisePath } from "../../src/core/styles/synthesise-path.ts";

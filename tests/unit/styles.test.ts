@@ -2,7 +2,7 @@
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { beforeAll, describe, expect, it } from "vitest";
-import { styleFamilies } from "../../src/cli/style-families.ts";
+import { styleFamilies } from "../../src/studio/style-families.ts";
 import { importBvh } from "../../src/core/capture/import.ts";
 import { createRandom } from "../../src/core/math/random.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";

@@ -13,9 +13,9 @@ import { buildLibrary } from "../../core/templates/build-library.ts";
 import { decodeLibrary, encodeLibrary } from "../../core/templates/library-file.ts";
 import { retargetLibrary } from "../../core/templates/retarget-library.ts";
 import type { Library } from "../../core/templates/types.ts";
+import { styleFamilies } from "../../studio/style-families.ts";
 import { needed, one, outputs, readOptions } from "../args.ts";
 import { readText } from "../read.ts";
-import { styleFamilies } from "../style-families.ts";
 import { studioCaptures } from "./library.ts";
 
 /** Where the shipped library is kept once it has been made. */

@@ -152,3 +152,38 @@ export function setCharacter(scene: Scene, height: number, leg: number): Scene {
     character: { ...scene.character, height, proportions: { ...scene.character.proportions, leg } },
   };
 }
+
+/** Adds a path of two points at least, last in the order. */
+export function addPath(
+  scene: Scene,
+  points: readonly (readonly [number, number])[],
+): { scene: Scene; id: string } {
+  const id = freeId(scene, "path");
+  const path = { id, points: points.map((p): [number, number] => [p[0], p[1]]), styles: [], smooth: true };
+  return { scene: { ...scene, paths: [...scene.paths, path], order: [...scene.order, id] }, id };
+}
+
+/** A path's points replaced. */
+export function reshapePath(scene: Scene, id: string, points: readonly (readonly [number, number])[]): Scene {
+  return {
+    ...scene,
+    paths: scene.paths.map((p) =>
+      p.id === id ? { ...p, points: points.map((q): [number, number] => [q[0], q[1]]) } : p,
+    ),
+  };
+}
+
+/** The styles painted along a path replaced; kept in order of place. */
+export function paintPath(scene: Scene, id: string, styles: readonly { at: number; style: string }[]): Scene {
+  const sorted = [...styles].sort((a, b) => a.at - b.at);
+  return { ...scene, paths: scene.paths.map((p) => (p.id === id ? { ...p, styles: sorted } : p)) };
+}
+
+/** A path taken away. */
+export function removePath(scene: Scene, id: string): Scene {
+  return {
+    ...scene,
+    paths: scene.paths.filter((p) => p.id !== id),
+    order: scene.order.filter((x) => x !== id),
+  };
+}

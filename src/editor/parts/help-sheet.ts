@@ -6,6 +6,7 @@ export const KEYS: readonly (readonly [string, string])[] = [
   ["Play or pause", "Space"],
   ["Frame back, ahead", ", ."],
   ["Select tool", "V"],
+  ["Draw a path", "L"],
   ["Add: write, lift, place", "1 2 3"],
   ["Add: sit, stand, turn", "4 5 6"],
   ["Next, previous task", "Tab, Shift Tab"],

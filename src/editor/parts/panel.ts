@@ -9,6 +9,7 @@ import { transitionGraph } from "../../plots/transition-graph.ts";
 import { CATEGORY_COLOURS, CATEGORY_WORDS } from "../../view/tokens.ts";
 import type { Editor } from "../editor.ts";
 import { TASK_ICONS, TASK_WORDS } from "../icons.ts";
+import { pathSection } from "./paths.ts";
 
 const degrees = (r: number): string => ((r * 180) / Math.PI).toFixed(1).replace("-", "\u2212");
 
@@ -32,6 +33,7 @@ function sceneTab(e: Editor): TemplateResult {
   const { height, proportions } = s.scene.character;
   const tasks = s.scene.order.flatMap((id) => s.scene.tasks.find((t) => t.id === id) ?? []);
   return html`
+    ${pathSection(e)}
     <section class="section">
       <header><h3>Tasks</h3><span>${tasks.length}</span></header>
       <div class="list">

@@ -3,8 +3,8 @@
 import type { Skeleton } from "../core/skeleton/skeleton.ts";
 import { buildFamily, MOST_MEMBERS, type StrideFamily } from "../core/styles/family.ts";
 import { cutLoop, fitLoop } from "../core/styles/loop.ts";
-import { renderScore } from "../studio/render.ts";
-import { STYLES, styleScore } from "../studio/styles.ts";
+import { renderScore } from "./render.ts";
+import { STYLES, styleScore } from "./styles.ts";
 
 /** Renders each style asked for, cuts its loop and builds its family; a name that is not a style's is left out. */
 export function styleFamilies(names: readonly string[], skeleton: Skeleton): Map<string, StrideFamily> {
