@@ -1,8 +1,9 @@
 /** Cost of paths with style: frames synthesised a second, a whole path after a drag, families built ahead. */
-import { styleFamilies } from "../../src/studio/style-families.ts";
+
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { createPath, type PathPoint } from "../../src/core/styles/path.ts";
 import { synthesisePath } from "../../src/core/styles/synthesise-path.ts";
+import { styleFamilies } from "../../src/studio/style-families.ts";
 import { STYLES } from "../../src/studio/styles.ts";
 import { figure } from "./measure.ts";
 import type { BenchModule } from "./types.ts";

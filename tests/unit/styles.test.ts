@@ -2,7 +2,6 @@
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { beforeAll, describe, expect, it } from "vitest";
-import { styleFamilies } from "../../src/studio/style-families.ts";
 import { importBvh } from "../../src/core/capture/import.ts";
 import { createRandom } from "../../src/core/math/random.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
@@ -14,6 +13,7 @@ import type { StrideFamily } from "../../src/core/styles/family.ts";
 import { cutLoop, StyleError } from "../../src/core/styles/loop.ts";
 import { nearestOnPath } from "../../src/core/styles/path.ts";
 import { type PathPlan, planPaths } from "../../src/core/styles/plan-paths.ts";
+import { styleFamilies } from "../../src/studio/style-families.ts";
 import { STYLES } from "../../src/studio/styles.ts";
 import { captures, hasShared } from "../support/shared.ts";
 
