@@ -2,6 +2,7 @@ import { defineConfig } from "@playwright/test";
 import { chromiumFlags, chromiumPath } from "./tests/support/chromium.mjs";
 
 const executablePath = chromiumPath();
+const port = process.env.STEPWRIGHT_TEST_PORT ?? "4180";
 
 export default defineConfig({
   testDir: "tests/e2e",
@@ -10,13 +11,13 @@ export default defineConfig({
   reporter: [["list"]],
   outputDir: "artefacts/e2e",
   use: {
-    baseURL: "http://localhost:4180",
+    baseURL: `http://localhost:${port}`,
     viewport: { width: 1100, height: 720 },
     launchOptions: { ...(executablePath ? { executablePath } : {}), args: chromiumFlags() },
   },
   webServer: {
-    command: "npx vite preview --port 4180 --strictPort",
-    url: "http://localhost:4180",
+    command: `npx vite preview --port ${port} --strictPort`,
+    url: `http://localhost:${port}`,
     reuseExistingServer: false,
     timeout: 60_000,
   },
