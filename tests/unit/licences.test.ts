@@ -12,6 +12,7 @@ const FREE = [
   "Apache-2.0",
   "OFL-1.1",
   "CC0-1.0",
+  "Unlicense",
   // File-level copyleft: used as published, in a file of its own.
   "MPL-2.0",
 ];
