@@ -28,6 +28,7 @@ import { pendulum, zeroMomentPoint } from "./layers/centre-of-mass.ts";
 import { type FootTrack, renderFoot } from "./layers/feet.ts";
 import { ballisticHeight, flightFrames, loadFactor } from "./layers/flight.ts";
 import { renderGait } from "./layers/gait.ts";
+import { calmKnees, type Legs } from "./layers/knees.ts";
 import { planPressure } from "./layers/pressure.ts";
 import { createTaskLayer, handsOnBox, renderTasks, SEAT_UNDER_HIPS, type TaskLayer } from "./layers/tasks.ts";
 import type { Score } from "./score.ts";
@@ -80,8 +81,15 @@ export function renderScore(score: Score): Rendered {
   const wished = Float64Array.from(body.hipHeight);
   smoothJoins(way, tasks.pins.pinned);
   trunkRotations(clip, body, skeleton);
+  const planned = feet.map((t) => ({ ankle: t.ankle.slice(), toeBend: t.toeBend.slice() }));
   for (let round = 0; ; round++) {
     placeHips(clip, way, body, feet, skeleton);
+    feet.forEach((t, side) => {
+      t.ankle.set(planned[side].ankle);
+      t.toeBend.set(planned[side].toeBend);
+    });
+    const raise = calmKnees(feet, legsOf(clip, skeleton, flight));
+    for (let f = 0; f < frames; f++) clip.root[3 * f + 1] += raise[f];
     closeBody(clip, feet, body, tasks, skeleton, positions, round === ROUNDS);
     if (round === ROUNDS) break;
     const load = tasks.load.share.some((s) => s > 0) ? tasks.load : null;
@@ -245,6 +253,8 @@ function placeHips(
     clip.root[3 * f + 1] = body.hipHeight[f] + hipsOver(body, skeleton, f);
     clip.root[3 * f + 2] = way[2 * f + 1];
     for (let side = 0; side < 2; side++) {
+      // An airborne foot gives way itself.
+      if (feet[side].swing[f] > 0 && !feet[side].turning[f]) continue;
       const hip = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
       quatRotate(v, 0, clip.rotations, Q * f, o[3 * hip], o[3 * hip + 1], o[3 * hip + 2]);
       const dx = clip.root[3 * f] + v[0] - feet[side].ankle[3 * f];
@@ -255,6 +265,29 @@ function placeHips(
   }
   const lower = softEnvelope(need, 5);
   for (let f = 0; f < clip.frames; f++) clip.root[3 * f + 1] -= lower[f];
+}
+
+/** Both hip joints over the frames, for the knees' layer. */
+function legsOf(clip: Clip, skeleton: Skeleton, flight: Uint8Array | null): Legs {
+  const o = skeleton.offsets;
+  const v = new Float64Array(3);
+  const hips: [Float64Array, Float64Array] = [
+    new Float64Array(3 * clip.frames),
+    new Float64Array(3 * clip.frames),
+  ];
+  for (let f = 0; f < clip.frames; f++)
+    for (let side = 0; side < 2; side++) {
+      const hip = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
+      quatRotate(v, 0, clip.rotations, Q * f, o[3 * hip], o[3 * hip + 1], o[3 * hip + 2]);
+      for (let k = 0; k < 3; k++) hips[side][3 * f + k] = clip.root[3 * f + k] + v[k];
+    }
+  return {
+    hips,
+    thigh: -o[3 * J.leftLowerLeg + 1],
+    shank: -o[3 * J.leftFoot + 1],
+    shape: skeleton.foot,
+    flight,
+  };
 }
 
 /** Legs onto the feet, hands to their places; joints' places for the zero-moment point. */

@@ -284,7 +284,7 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, m
     }
     track.yaw[f] = m.from.yaw + turn * (walk ? smoothstep((u - 0.05) / 0.9) : minimumJerk(u));
     // Clearance of heel, ball and tip.
-    const low = path[3 * i + 1] + lowest(shape, track.pitch[f]);
+    const low = path[3 * i + 1] + lowestOfFoot(shape, track.pitch[f]);
     const wanted = 0.012 * scale * readMonotone([0, 0.15, 0.85, 1], [0, 1, 1, 0], u);
     const bump = Math.sin(Math.PI * u) ** 2;
     if (u > 0.12 && u < 0.92) lack = Math.max(lack, (wanted - low) / bump);
@@ -293,7 +293,7 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, m
     const f = first + i;
     const u = unit((f / CLIP_RATE - m.lift) / d);
     path[3 * i + 1] += lack * Math.sin(Math.PI * u) ** 2;
-    const floor = -lowest(shape, track.pitch[f]) + 0.0005;
+    const floor = -lowestOfFoot(shape, track.pitch[f]) + 0.0005;
     if (u > 0.06) path[3 * i + 1] = Math.max(path[3 * i + 1], floor);
     track.ankle.set([path[3 * i], path[3 * i + 1], path[3 * i + 2]], 3 * f);
     plantedAnkle(out, shape, pitch0);
@@ -316,7 +316,7 @@ const HUMP_TOP =
 const smallWay = (u: number): number => 0.35 * minimumJerk(u) + 0.65 * smoothstep(u);
 
 /** Height of the lowest of heel point and ball sole against the ankle joint, at a pitch. */
-function lowest(shape: FootShape, pitch: number): number {
+export function lowestOfFoot(shape: FootShape, pitch: number): number {
   const s = Math.sin(pitch);
   const c = Math.cos(pitch);
   const heel = -shape.heelBack * s - shape.ankleHeight * c;
@@ -325,7 +325,7 @@ function lowest(shape: FootShape, pitch: number): number {
 }
 
 /** A toe bend that keeps the tip 3 mm up. */
-function boundedBend(shape: FootShape, ankle: number, pitch: number, bend: number): number {
+export function boundedBend(shape: FootShape, ankle: number, pitch: number, bend: number): number {
   const s = Math.sin(pitch);
   const c = Math.cos(pitch);
   const ball = ankle + shape.ballForward * s - (shape.ankleHeight - shape.ballHeight) * c;
