@@ -119,13 +119,7 @@ function calmed(knee: Float64Array, f: number, span: number): number {
 
 const second = (x: Float64Array, f: number, span: number): number => x[f - span] - 2 * x[f] + x[f + span];
 
-function calmSwing(
-  foot: FootTrack,
-  legs: Legs,
-  side: 0 | 1,
-  knee: Float64Array,
-  raise: Float64Array,
-): void {
+function calmSwing(foot: FootTrack, legs: Legs, side: 0 | 1, knee: Float64Array, raise: Float64Array): void {
   const n = knee.length;
   const band = new Float64Array(WIDTH * n);
   const right = new Float64Array(n);
