@@ -153,7 +153,7 @@ function residuals(recipe: Recipe, shape: GaitShape, x: Float64Array): number[] 
       );
   }
   const f = seen.gait.facts;
-  out.push((0.3 * (100 * f.pelvisVertical - target.pelvis_vertical_excursion_cm.mean)) / 0.5);
+  out.push((0.8 * (100 * f.pelvisVertical - target.pelvis_vertical_excursion_cm.mean)) / 0.5);
   out.push((0.3 * (100 * f.pelvisLateral - target.pelvis_lateral_excursion_cm.mean)) / 1.2);
   out.push((0.8 * Math.min(0, 100 * f.tipClearance - target.swing_min_tip_clearance_cm.mean)) / 0.3);
   out.push((0.3 * (100 * f.toeLift - target.swing_max_toe_joint_lift_cm.mean)) / 1.5);

@@ -285,7 +285,7 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, m
     track.yaw[f] = m.from.yaw + turn * (walk ? smoothstep((u - 0.05) / 0.9) : minimumJerk(u));
     // Clearance of heel, ball and tip.
     const low = path[3 * i + 1] + lowestOfFoot(shape, track.pitch[f]);
-    const wanted = 0.012 * scale * readMonotone([0, 0.15, 0.85, 1], [0, 1, 1, 0], u);
+    const wanted = clearanceAt(u) * scale;
     const bump = Math.sin(Math.PI * u) ** 2;
     if (u > 0.12 && u < 0.92) lack = Math.max(lack, (wanted - low) / bump);
   }
@@ -299,7 +299,7 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, m
     plantedAnkle(out, shape, pitch0);
     const bend =
       out[2] * Math.exp(-(u * d) / 0.05) + 4 * DEG * smoothstep((u - 0.6) / 0.4) * (walk ? m.strike : 0);
-    track.toeBend[f] = boundedBend(shape, path[3 * i + 1], track.pitch[f], bend);
+    track.toeBend[f] = boundedBend(shape, path[3 * i + 1], track.pitch[f], bend, u);
     track.contacts[f] = 0;
   }
 }
@@ -324,14 +324,18 @@ export function lowestOfFoot(shape: FootShape, pitch: number): number {
   return Math.min(heel, ball);
 }
 
-/** A toe bend that keeps the tip 3 mm up. */
-export function boundedBend(shape: FootShape, ankle: number, pitch: number, bend: number): number {
+/** Least height of heel and ball over the ground at a fraction of the swing, metres at a leg of 0.93 m. */
+export const clearanceAt = (u: number): number => 0.012 * readMonotone([0, 0.15, 0.85, 1], [0, 1, 1, 0], u);
+
+/** A toe bend that keeps the tip at least 3 mm up, 7 in mid-swing. */
+export function boundedBend(shape: FootShape, ankle: number, pitch: number, bend: number, u: number): number {
   const s = Math.sin(pitch);
   const c = Math.cos(pitch);
   const ball = ankle + shape.ballForward * s - (shape.ankleHeight - shape.ballHeight) * c;
   const tip = (b: number) =>
     ball + shape.tipForward * Math.sin(pitch + b) - shape.ballHeight * Math.cos(pitch + b);
   let b = bend;
-  for (let k = 0; k < 12 && tip(b) < 0.003; k++) b += 5 * DEG;
+  const least = 0.003 + 0.35 * clearanceAt(u);
+  for (let k = 0; k < 24 && tip(b) < least; k++) b += 2.5 * DEG;
   return Math.min(b, 65 * DEG);
 }

@@ -13,7 +13,7 @@
 import { CLIP_RATE } from "../../core/capture/clip.ts";
 import { factorBand, solveBand } from "../../core/optimize/banded-cholesky.ts";
 import type { FootShape } from "../../core/skeleton/skeleton.ts";
-import { boundedBend, type FootTrack, lowestOfFoot } from "./feet.ts";
+import { boundedBend, clearanceAt, type FootTrack, lowestOfFoot } from "./feet.ts";
 
 /** Frames between the samples of a second difference: 60 and 30 a second. */
 const SPANS = [1, 2];
@@ -150,9 +150,11 @@ function calmSwing(foot: FootTrack, legs: Legs, side: 0 | 1, knee: Float64Array,
     const share = wanted / Math.max(1e-6, Math.sqrt(dx * dx + dy * dy + dz * dz));
     const y = hip[3 * f + 1] + raise[f] + share * dy;
     ankle[3 * f] = hip[3 * f] + share * dx;
-    ankle[3 * f + 1] = Math.max(y, Math.min(ankle[3 * f + 1], 0.0005 - lowestOfFoot(legs.shape, pitch[f])));
+    // Lower than it was only as far as the foot stays clear of the ground.
+    const floor = clearanceAt(foot.swing[f]) + 0.0005 - lowestOfFoot(legs.shape, pitch[f]);
+    ankle[3 * f + 1] = Math.max(y, Math.min(ankle[3 * f + 1], floor));
     ankle[3 * f + 2] = hip[3 * f + 2] + share * dz;
-    foot.toeBend[f] = boundedBend(legs.shape, ankle[3 * f + 1], pitch[f], foot.toeBend[f]);
+    foot.toeBend[f] = boundedBend(legs.shape, ankle[3 * f + 1], pitch[f], foot.toeBend[f], foot.swing[f]);
   }
 }
 
