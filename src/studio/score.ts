@@ -8,7 +8,7 @@
  */
 import type { SidecarTask } from "../core/capture/sidecar.ts";
 import type { Proportions } from "../core/skeleton/skeleton.ts";
-import type { Foot } from "../core/steps/types.ts";
+import type { Foot, StepCategory } from "../core/steps/types.ts";
 import type { GaitShape } from "./gait-shape.ts";
 
 export interface ScoreStance {
@@ -21,7 +21,7 @@ export interface ScoreStance {
  * How a foot goes:
  * - `walk`: heel strike, roll, push-off;
  * - `run`: lands under a bent knee while the other foot is still in the air, flies off the toes;
- * - `turnStep`: a walking step that turns;
+ * - `turnStep`: a walking step whose foot turns by 0.3 radians or more;
  * - `side`, `close`: toe-first low step to the side / to stand beside the other foot;
  * - `forward`, `backward`: a small step during a task;
  * - `heelPivot`, `toePivot`: the foot turns about its heel / ball without leaving the ground (yaw alone is read
@@ -41,6 +41,20 @@ export const STEP_KINDS = [
   "slide",
 ] as const;
 export type StepKind = (typeof STEP_KINDS)[number];
+
+/** What segmentation should call each kind of step; null where it depends on where the step goes. */
+export const CATEGORY_OF: Record<StepKind, StepCategory | null> = {
+  walk: "Walk",
+  run: "Walk",
+  turnStep: "TurnAndStep",
+  side: "SideStep",
+  close: null,
+  forward: "ForwardStepDuringTask",
+  backward: "BackwardStepDuringTask",
+  heelPivot: "HeelPivot",
+  toePivot: "ToePivot",
+  slide: null,
+};
 
 export interface ScoreStep {
   foot: Foot;
