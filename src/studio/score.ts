@@ -184,6 +184,21 @@ export interface Actor {
 export const paceOf = (actor: Actor): Pace => ({ ...DEFAULT_PACE, ...actor.pace });
 export const moodOf = (actor: Actor): Mood => ({ ...NEUTRAL, ...actor.mood });
 
+/**
+ * Layers of the rendering that can be switched off, to see what each adds:
+ * - `roll`: heel strike, heel-off and toe-off; without, feet stay flat;
+ * - `balance`: the hips' way from the zero-moment point; without, they drift after the pressure;
+ * - `rhythm`: pelvis, trunk and arms over the gait; without, the body is carried stiffly;
+ * - `knees`: hips and airborne feet give way where a knee would jerk;
+ * - `flight`: the whole body falls freely in a run's flight;
+ * - `gaze`: the head leads turns and holds what it looks at;
+ * - `tasks`: bending, reaching, carrying, sitting, writing;
+ * - `alive`: breathing, sway, the ring after a strike, noise.
+ */
+export const LAYERS = ["roll", "balance", "rhythm", "knees", "flight", "gaze", "tasks", "alive"] as const;
+export type Layer = (typeof LAYERS)[number];
+export type Layers = Record<Layer, boolean>;
+
 export interface Score {
   name: string;
   actor: Actor;
@@ -196,4 +211,10 @@ export interface Score {
   events: ScoreEvent[];
   /** Where the eyes go, in order of time; between, the head follows the walk (and leads turns). */
   gaze: { time: number; target: [number, number, number] | null }[];
+  /** Layers that are not to be rendered; all others are. */
+  without?: readonly Layer[];
 }
+
+/** Which layers a score wants. */
+export const layersOf = (score: Score): Layers =>
+  Object.fromEntries(LAYERS.map((l) => [l, !score.without?.includes(l)])) as Layers;

@@ -19,7 +19,7 @@ import { contactsOfPitch, pivotPlace, plantedAnkle } from "../../core/motion/sol
 import type { FootShape, Skeleton } from "../../core/skeleton/skeleton.ts";
 import type { Foot } from "../../core/steps/types.ts";
 import { type GaitShape, shapeOf } from "../gait-shape.ts";
-import { type Mood, moodOf, type Score, type ScoreStance, type ScoreStep } from "../score.ts";
+import { layersOf, type Mood, moodOf, type Score, type ScoreStance, type ScoreStep } from "../score.ts";
 
 const DEG = Math.PI / 180;
 
@@ -118,7 +118,7 @@ export function renderFoot(score: Score, foot: Foot, skeleton: Skeleton, frames:
     turning: new Uint8Array(frames),
   };
   const moves = movesOf(score, foot, leg, gait, mood);
-  stancePitch(track.pitch, moves, frames, gait);
+  if (layersOf(score).roll) stancePitch(track.pitch, moves, frames, gait);
   const out = new Float64Array(3);
   let k = 0;
   for (let f = 0; f < frames; f++) {
