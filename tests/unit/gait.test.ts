@@ -48,7 +48,7 @@ const FITTED: [keyof typeof RECIPES, [number, number][]][] = [
   [
     "bouncing",
     [
-      [0.75, 0.97],
+      [0.7, 0.97],
       [0.65, 0.9],
       [0.7, 0.95],
     ],
