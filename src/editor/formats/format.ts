@@ -23,6 +23,8 @@ export interface ImportFormat {
   label: string;
   /** Endings with their dot, lower case. */
   endings: readonly string[];
+  /** Whether a file with one of the endings is of this format, where several share an ending; left out: yes. */
+  accepts?(file: File): boolean | Promise<boolean>;
   /** Opens files that end so, all at once. @throws Error with one sentence that begins with the file's name. */
   open(e: Editor, files: readonly File[]): Promise<void>;
 }

@@ -1,7 +1,7 @@
 /** Files out and in, by the registered formats. */
 import type { Editor } from "../editor.ts";
 import { download } from "../formats/download.ts";
-import type { ExportFormat } from "../formats/format.ts";
+import type { ExportFormat, ImportFormat } from "../formats/format.ts";
 
 export class Files {
   constructor(private readonly e: Editor) {
@@ -40,10 +40,13 @@ export class Files {
 
   /** Opens files, each kind together. */
   async open(files: readonly File[]): Promise<void> {
-    const groups = new Map<(typeof this.e.registry.imports)[number], File[]>();
+    const groups = new Map<ImportFormat, File[]>();
     for (const file of files) {
       const name = file.name.toLowerCase();
-      const format = this.e.registry.imports.find((f) => f.endings.some((x) => name.endsWith(x)));
+      let format: ImportFormat | undefined;
+      for (const f of this.e.registry.imports)
+        if (!format && f.endings.some((x) => name.endsWith(x)) && (await (f.accepts?.(file) ?? true)))
+          format = f;
       if (!format) {
         const known = this.e.registry.imports.flatMap((f) => f.endings).join(", ");
         this.e.fail(`${file.name}: files of this kind are not read. Known: ${known}.`);
