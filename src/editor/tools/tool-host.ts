@@ -89,7 +89,10 @@ export class ToolHost {
       if (mine(ev)) gesture.move(this.pointer(ev));
     });
     on("pointerup", (ev) => {
-      if (mine(ev)) end(gesture.up?.(this.pointer(ev)) ?? true);
+      if (!mine(ev)) return;
+      // Over already: what `up` does, such as taking another tool up, gives nothing up.
+      this.gesture = null;
+      end(gesture.up?.(this.pointer(ev)) ?? true);
     });
     on("pointercancel", (ev) => {
       if (mine(ev)) end(false);
