@@ -147,7 +147,11 @@ describe("motion quality", () => {
     ];
     const judge = (contacts: Uint8Array) =>
       checkClaims(points.soles, contacts, level, whole.frames, 60, skeleton.legLength - 0.09);
-    expect(judge(points.contacts)).toEqual({ missed: 0, tooHigh: 0, tooFast: 0 });
+    const honest = judge(points.contacts);
+    expect(honest.missed).toBe(0);
+    expect(honest.tooHigh).toBe(0);
+    // The point that a pivoting foot turns about lies between those that are followed.
+    expect(honest.tooFast).toBeLessThan(0.01);
     const boastful = judge(points.contacts.slice().fill(15));
     expect(boastful.missed).toBe(0);
     expect(boastful.tooHigh).toBeGreaterThan(0.05);
