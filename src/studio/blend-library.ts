@@ -1,5 +1,5 @@
 /** The cyclic clips that ship, baked for a character [Barycentric §6]. */
-import { bakeLibrary, type BlendLibrary } from "../core/blending/library.ts";
+import { type BlendLibrary, bakeLibrary } from "../core/blending/library.ts";
 import type { CyclicSource } from "../core/blending/types.ts";
 import type { Skeleton } from "../core/skeleton/skeleton.ts";
 import { prepareClip } from "../core/templates/build-library.ts";

@@ -222,9 +222,7 @@ function begin(b: Batch, i: number, row: number): void {
   b.queueHead[i] = (b.queueHead[i] + 1) % QUEUE;
   b.queueCount[i]--;
   const next =
-    b.queueCount[i] > 0
-      ? b.queue[QUEUE_ROW * (QUEUE * i + b.queueHead[i]) + 7]
-      : Number.POSITIVE_INFINITY;
+    b.queueCount[i] > 0 ? b.queue[QUEUE_ROW * (QUEUE * i + b.queueHead[i]) + 7] : Number.POSITIVE_INFINITY;
   startStep(b, i, row, next);
   const side = s[o + LAST_SIDE];
   const length = s[o + T1] - lift;

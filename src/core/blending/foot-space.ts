@@ -114,9 +114,9 @@ export function barycentric(out: Float64Array, space: FootSpace, t: number, x: n
   let u = side(points[b], points[b + 1], points[c], points[c + 1], x, z) / area;
   let v = side(points[c], points[c + 1], points[a], points[a + 1], x, z) / area;
   let w = 1 - u - v;
-  u = u > 0 ? u : 0;
-  v = v > 0 ? v : 0;
-  w = w > 0 ? w : 0;
+  u = Math.max(u, 0);
+  v = Math.max(v, 0);
+  w = Math.max(w, 0);
   const sum = u + v + w;
   out[0] = u / sum;
   out[1] = v / sum;
@@ -135,7 +135,7 @@ function project(out: Located, space: FootSpace, x: number, z: number): void {
     const dx = points[2 * b] - points[2 * a];
     const dz = points[2 * b + 1] - points[2 * a + 1];
     const along = ((x - points[2 * a]) * dx + (z - points[2 * a + 1]) * dz) / (dx * dx + dz * dz);
-    const u = along < 0 ? 0 : along > 1 ? 1 : along;
+    const u = along < 0 ? 0 : Math.min(along, 1);
     const px = points[2 * a] + u * dx;
     const pz = points[2 * a + 1] + u * dz;
     const d = (x - px) * (x - px) + (z - pz) * (z - pz);

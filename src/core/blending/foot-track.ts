@@ -112,7 +112,7 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
     const wanted = plantedPitch(b, i, side, t);
     const most = PITCH_RATE * dt;
     const step = wanted - s[f + PITCH];
-    const pitch = s[f + PITCH] + (step > most ? most : step < -most ? -most : step);
+    const pitch = s[f + PITCH] + (step > most ? most : Math.max(step, -most));
     s[f + PITCH] = pitch;
     ankleOver(s, f + PLACE, shape, pitch);
     s[f + ANKLE] = spot[0];

@@ -2,8 +2,9 @@
  * Analytic two-bone legs for a batch [Barycentric §4.5]: how far the hips must sink so that both feet reach, and the legs closed on
  * their ankles with the knees where the blended pose has them.
  */
-import { quatInverseMultiply, quatMultiply } from "../math/quaternion.ts";
+
 import { basisAlong } from "../ik/leg.ts";
+import { quatInverseMultiply, quatMultiply } from "../math/quaternion.ts";
 import { J } from "../skeleton/joints.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import { ANKLE } from "./batch.ts";
@@ -68,8 +69,7 @@ export function closeLeg(
   const wantZ = 1 - 2 * (state[w + 3] * state[w + 3] + state[w + 4] * state[w + 4]);
   const nb = 0.5 / Math.sqrt(blendX * blendX + blendZ * blendZ + 1e-6);
   const nw = 0.5 / Math.sqrt(wantX * wantX + wantZ * wantZ + 1e-6);
-  const kx =
-    2 * (world[tu] * world[tu + 2] + world[tu + 3] * world[tu + 1]) + wantX * nw - blendX * nb;
+  const kx = 2 * (world[tu] * world[tu + 2] + world[tu + 3] * world[tu + 1]) + wantX * nw - blendX * nb;
   const ky = 2 * (world[tu + 1] * world[tu + 2] - world[tu + 3] * world[tu]);
   const kz = 1 - 2 * (world[tu] * world[tu] + world[tu + 1] * world[tu + 1]) + wantZ * nw - blendZ * nb;
   const hx = positions[3 * upper];
@@ -81,7 +81,7 @@ export function closeLeg(
   const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
   const most = (a + b) * 0.99999;
   const least = Math.abs(a - b) + 0.05 * (a + b);
-  const reach = distance < least ? least : distance > most ? most : distance;
+  const reach = distance < least ? least : Math.min(distance, most);
   const f = 1 / Math.max(1e-9, distance);
   dx *= f;
   dy *= f;

@@ -131,7 +131,7 @@ export function chooseMix(
         if (!solve(trial, p, c, u, v, qx, qz)) continue;
         if (trial[0] < -1e-9 || trial[1] < -1e-9 || trial[2] < -1e-9) continue;
         corners[i] = c;
-        for (let n = 0; n < 3; n++) lambda[(i + n) % 3] = trial[n] > 0 ? trial[n] : 0;
+        for (let n = 0; n < 3; n++) lambda[(i + n) % 3] = Math.max(trial[n], 0);
         break;
       }
     }
@@ -160,7 +160,7 @@ export function chooseMix(
 function withRoot(choice: Choice, p: Float64Array, lambda4: number): void {
   const { lambda, corners, located } = choice;
   if (!solve(trial, p, corners[0], corners[1], corners[2], choice.rx, choice.rz)) return;
-  const four = lambda4 < 1 ? lambda4 : 1;
+  const four = Math.min(lambda4, 1);
   let beta = 1;
   for (let k = 0; k < 3; k++) if (trial[k] > 0) beta = Math.min(beta, lambda[k] / trial[k]);
   choice.beta = beta;
@@ -170,11 +170,11 @@ function withRoot(choice: Choice, p: Float64Array, lambda4: number): void {
     const need = four * trial[k] - lambda[k];
     if (need > 0) s = Math.max(s, need / (trial[k] - lambda[k]));
   }
-  s = s < 1 ? s : 1;
+  s = Math.min(s, 1);
   let sum = 0;
   for (let k = 0; k < 3; k++) {
     const v = lambda[k] + s * (trial[k] - lambda[k]) - four * trial[k];
-    lambda[k] = v > 0 ? v : 0;
+    lambda[k] = Math.max(v, 0);
     sum += lambda[k];
   }
   // Rounding alone: eq. 5 holds exactly.

@@ -65,7 +65,8 @@ function angleOf(speedA: number, a: number, speedB: number, b: number): number {
 /**
  * Weights of all examples for a velocity. No allocation.
  *
- * @param out `count` weights, none negative, sum 1.
+ * @param out `count` weights, none negative, sum 1. Where no band reaches (the bands of three coordinates leave gaps) the
+ *   example least far out has it all.
  */
 export function rootWeights(out: Float64Array, space: RootSpace, vx: number, vz: number, turn: number): void {
   const { count, examples, pairs } = space;
@@ -73,24 +74,35 @@ export function rootWeights(out: Float64Array, space: RootSpace, vx: number, vz:
   const angle = speed < STILL ? 0 : Math.atan2(vx, vz);
   const w = turn * TURN_SCALE;
   let sum = 0;
+  let nearest = 0;
+  let most = Number.NEGATIVE_INFINITY;
   for (let i = 0; i < count; i++) {
     const a = EXAMPLE * i;
     const dr = speed - examples[a + 3];
     const da = ANGLE_SCALE * angleOf(examples[a + 3], examples[a + 4], speed, angle);
     const dw = w - examples[a + 2];
     let h = 1;
-    for (let j = 0; j < count && h > 0; j++) {
+    for (let j = 0; j < count && h > most; j++) {
       if (j === i) continue;
       const o = PAIR * (count * i + j);
       const inverse = pairs[o + 3];
-      const turnInverse = inverse < 1 / TURN_SCALE ? inverse : 1 / TURN_SCALE;
+      const turnInverse = Math.min(inverse, 1 / TURN_SCALE);
       const g = 1 - (dr * inverse * pairs[o] + da * pairs[o + 1] + dw * turnInverse * pairs[o + 2]);
       if (g < h) h = g;
     }
-    const v = h > 0 ? h : 0;
-    out[i] = v;
-    sum += v;
+    if (h > most) {
+      // Until one is in a band, the least far out is kept for where the bands leave a gap.
+      if (h <= 0) most = h;
+      else most = 0;
+      nearest = i;
+    }
+    out[i] = Math.max(0, h);
+    sum += out[i];
   }
-  const f = sum > 0 ? 1 / sum : 0;
+  if (sum === 0) {
+    out[nearest] = 1;
+    return;
+  }
+  const f = 1 / sum;
   for (let i = 0; i < count; i++) out[i] *= f;
 }

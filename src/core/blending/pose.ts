@@ -53,7 +53,7 @@ export function shownBody(out: Float64Array, b: Batch, i: number, t: number): vo
   const length = s[o + BLEND_TIME];
   if (length > 0) {
     const u = (t - s[o + BLEND_FROM]) / length;
-    if (u < 1) applyOffset(out, b, i, u < 0 ? 0 : u, length);
+    if (u < 1) applyOffset(out, b, i, Math.max(u, 0), length);
   }
 }
 
@@ -184,4 +184,3 @@ function restOf(b: Batch): Float64Array {
   }
   return rest;
 }
-

@@ -24,8 +24,7 @@ export function rootAt(s: Float64Array, o: number, t: number): void {
   const d = length * (u3 - u2);
   for (let k = 0; k < 4; k++) {
     const a = o + k;
-    s[a + NOW] =
-      s[a + FROM] + b * (s[a + TO] - s[a + FROM]) + c * s[a + FROM_V] + d * s[a + TO_V];
+    s[a + NOW] = s[a + FROM] + b * (s[a + TO] - s[a + FROM]) + c * s[a + FROM_V] + d * s[a + TO_V];
   }
 }
 

@@ -1,15 +1,7 @@
 /** Rows of the library at a phase, blended by a mix. Hot path: no allocation. */
 import { JOINT_COUNT } from "../skeleton/joints.ts";
 import { type Batch, OFFSET, POSE } from "./batch.ts";
-import {
-  BODY_ROW,
-  BODY_ROWS,
-  HIPS_AT,
-  STANCE_ROW,
-  STANCE_ROWS,
-  SWING_ROW,
-  SWING_ROWS,
-} from "./library.ts";
+import { BODY_ROW, BODY_ROWS, HIPS_AT, STANCE_ROW, STANCE_ROWS, SWING_ROW, SWING_ROWS } from "./library.ts";
 import { blendRows } from "./mean-rotation.ts";
 import { MIX } from "./mix.ts";
 

@@ -199,8 +199,7 @@ function walkOn(b: Batch, i: number, side: number, yawAfter: number, next: numbe
   const duration = blendMoves(b, mix, side, MOVE_ROW, DURATION);
   const warp = duration / length;
   const turnRate = mixVelocity(b, mix, 2) * warp;
-  const yaw1 =
-    s[o + NOW + 2] + wrapAngle(yawAfter + turnRate * (next - s[o + LAND]) - s[o + NOW + 2]);
+  const yaw1 = s[o + NOW + 2] + wrapAngle(yawAfter + turnRate * (next - s[o + LAND]) - s[o + NOW + 2]);
   // The landed foot seen from the root's frame at the next lift.
   const lx = blendMoves(b, mix, side, MOVE_ROW, ENDED);
   const lz = blendMoves(b, mix, side, MOVE_ROW, ENDED + 1);
