@@ -8,5 +8,10 @@ export default defineConfig({
   worker: { format: "es" },
   server: { port: 5173 },
   preview: { port: 4173 },
-  build: { target: "es2022", outDir: "dist/site", chunkSizeWarningLimit: 1200 },
+  build: {
+    target: "es2022",
+    outDir: "dist/site",
+    chunkSizeWarningLimit: 1200,
+    rollupOptions: { input: ["index.html", "studio.html"] },
+  },
 });

@@ -7,18 +7,13 @@ import { toWorld } from "../core/math/frame2.ts";
 import { DEFAULT_PROPORTIONS, REFERENCE_HEIGHT } from "../core/skeleton/skeleton.ts";
 import { straightScore } from "./choreography/straight.ts";
 import { createWalker, finish, middle, other, sideOf, standingPair, step } from "./choreography/walker.ts";
+import { paceAt } from "./pace.ts";
 import type { Actor, Pace, Score } from "./score.ts";
 
 const DEG = Math.PI / 180;
 const ADULT: Actor = { height: REFERENCE_HEIGHT, proportions: DEFAULT_PROPORTIONS };
 /** Steps of each clip between its first and its last. */
 const STEPS = 8;
-
-/** Comfortable pace at a speed: length and time share the change, stance shortens [Grieve and Gear 1966]. */
-export function paceAt(speed: number): Partial<Pace> {
-  const length = 0.635 * (speed / 1.15) ** 0.42;
-  return { length, time: length / speed, stance: 0.655 - 0.06 * (speed - 1.15) };
-}
 
 function straight(name: string, seed: number, pace: Partial<Pace>): Score {
   return straightScore({ name, seed, actor: { ...ADULT, pace }, steps: STEPS });

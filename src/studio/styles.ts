@@ -4,6 +4,7 @@
  */
 import { DEFAULT_PROPORTIONS, REFERENCE_HEIGHT } from "../core/skeleton/skeleton.ts";
 import { straightScore } from "./choreography/straight.ts";
+import { BOUNCING } from "./gait-shapes.ts";
 import type { Mood, Pace, Score } from "./score.ts";
 
 export const STYLES = [
@@ -21,6 +22,8 @@ interface StyleSpec {
   pace: Partial<Pace>;
   mood: Partial<Mood>;
   steps: number;
+  /** The bouncing walk's shape in place of the speed's. */
+  bouncing?: boolean;
 }
 
 const SPECS: Record<Style, StyleSpec> = {
@@ -101,13 +104,22 @@ const SPECS: Record<Style, StyleSpec> = {
   },
 };
 
+/** How a style's actor goes. */
+export const styleManner = (style: Style): Omit<StyleSpec, "steps"> => SPECS[style];
+
 /** The straight sample of a style. */
 export function styleScore(style: Style): Score {
   const spec = SPECS[style];
   return straightScore({
     name: `style-${style}`,
     seed: 100 + STYLES.indexOf(style),
-    actor: { height: REFERENCE_HEIGHT, proportions: DEFAULT_PROPORTIONS, pace: spec.pace, mood: spec.mood },
+    actor: {
+      height: REFERENCE_HEIGHT,
+      proportions: DEFAULT_PROPORTIONS,
+      pace: spec.pace,
+      mood: spec.mood,
+      ...(spec.bouncing ? { shape: BOUNCING } : {}),
+    },
     steps: spec.steps,
   });
 }
