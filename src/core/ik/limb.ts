@@ -2,9 +2,9 @@
  * A two-bone limb in a fixed plane about its socket: the place that FABRIK's two passes converge to, taken at once.
  *
  * Both bones share the hinge's axis, so elbow and knee never twist. What is free is the swivel about the way from socket to
- * target: it stays where the pose has it as long as the socket's limits allow, else it turns the least that does.
+ * target: the limb swings there as one piece, and its swivel stays as long as the socket's limits allow, else it turns the least that does.
  */
-import { quatInverseMultiply, quatMultiply, quatNormalize, quatRotate } from "../math/quaternion.ts";
+import { quatBetween, quatInverseMultiply, quatMultiply, quatNormalize, quatRotate } from "../math/quaternion.ts";
 import { J } from "../skeleton/joints.ts";
 import { ELBOW_RANGE, holdToLimits, KNEE_RANGE } from "../skeleton/limits.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
@@ -81,8 +81,17 @@ export function closeLimb(
   const flexion = Math.acos(cosFlexion);
   const cosSocket = Math.max(-1, Math.min(1, (a * a + reach * reach - b * b) / (2 * a * reach)));
   const sinSocket = Math.sqrt(1 - cosSocket * cosSocket);
-  // The pose's own hinge axis, square to the way to the target.
+  // The pose's own hinge axis, carried along as the whole limb swings from where it points to the target: taken by itself it
+  // would turn about wildly where the way to the target passes near it.
   quatRotate(w, 0, world, 4 * upper, limb.hinge[0], limb.hinge[1], limb.hinge[2]);
+  const ex = positions[s + 6] - hx;
+  const ey = positions[s + 7] - hy;
+  const ez = positions[s + 8] - hz;
+  const e = Math.sqrt(ex * ex + ey * ey + ez * ez);
+  if (e > 1e-6) {
+    quatBetween(w, 24, ex / e, ey / e, ez / e, dx, dy, dz);
+    quatRotate(w, 0, w, 24, w[0], w[1], w[2]);
+  }
   const along = w[0] * dx + w[1] * dy + w[2] * dz;
   let nx = w[0] - along * dx;
   let ny = w[1] - along * dy;

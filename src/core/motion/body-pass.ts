@@ -118,6 +118,7 @@ const v = new Float64Array(8);
 const row = new Float64Array(FOOT_STRIDE);
 const here = createBody();
 const next = createBody();
+const earlier = createBody();
 const FEET = [J.leftFoot, J.rightFoot] as const;
 const TOES = [J.leftToes, J.rightToes] as const;
 
@@ -178,7 +179,10 @@ function mapBody(body: Body, setup: SegmentSetup, source: number): void {
   quatMultiply(body.rotations, 0, q, 0, body.rotations, 0);
 }
 
-/** Sets the offsets so that value and speed go on from the frames before. */
+/**
+ * Sets the offsets so that value and speed go on from the frames before. Both are compared with the capture's own one frame before
+ * the segment: most segments begin as a foot strikes the ground, where speeds before and after differ in any capture.
+ */
 function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): void {
   const frame = setup.segment.start;
   state.swinging[0] = false;
@@ -188,49 +192,47 @@ function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): 
     return;
   }
   const rate = (setup.segment.to - setup.segment.from) / setup.segment.frames;
-  mapBody(here, setup, setup.segment.from);
-  mapBody(next, setup, setup.segment.from + rate);
+  mapBody(here, setup, setup.segment.from - rate);
+  mapBody(earlier, setup, setup.segment.from - 2 * rate);
   const p1 = frame - 1;
   const p2 = Math.max(0, frame - 2);
   const r = state.rootInertia;
   for (let k = 0; k < 3; k++) {
     const before = track.root[3 * p1 + k];
-    const speed = before - track.root[3 * p2 + k];
-    r.value[k] = before + speed - here.root[k];
-    r.speed[k] = (speed - (next.root[k] - here.root[k])) / DT;
+    r.value[k] = before - here.root[k];
+    r.speed[k] = (before - track.root[3 * p2 + k] - (here.root[k] - earlier.root[k])) / DT;
   }
-  r.age = 0;
+  r.age = DT;
   r.length = JOIN_TIME;
   const ji = state.jointInertia;
   if (!setup.continues) {
     for (let j = 0; j < JOINT_COUNT; j++) {
       const a = Q * p1 + 4 * j;
-      // Speed before, and the pose it would have led to.
       quatConjugate(q, 0, track.rotations, Q * p2 + 4 * j);
       quatMultiply(q, 0, track.rotations, a, q, 0);
       quatToRotationVector(v, 0, q, 0);
-      quatMultiply(q, 4, q, 0, track.rotations, a);
-      quatConjugate(q, 8, here.rotations, 4 * j);
-      quatMultiply(q, 12, q, 4, q, 8);
-      quatToRotationVector(v, 3, q, 12);
-      quatMultiply(q, 8, next.rotations, 4 * j, q, 8);
+      quatConjugate(q, 4, here.rotations, 4 * j);
+      quatMultiply(q, 8, track.rotations, a, q, 4);
+      quatToRotationVector(v, 3, q, 8);
+      quatConjugate(q, 4, earlier.rotations, 4 * j);
+      quatMultiply(q, 8, here.rotations, 4 * j, q, 4);
       quatToRotationVector(q, 12, q, 8);
       for (let k = 0; k < 3; k++) {
         ji.value[3 * j + k] = v[3 + k];
         ji.speed[3 * j + k] = (v[k] - q[12 + k]) / DT;
       }
     }
-    ji.age = 0;
+    ji.age = DT;
     ji.length = JOIN_TIME;
   }
   for (let f = 0; f < 2; f++) {
     const inertia = state.pitchInertia[f];
     const clamp = (p: number) => bearingPitch(setup, p);
-    inertia.value[0] = clamp(state.lastPitch[f] + state.lastPitchSpeed[f]) - clamp(here.pitch[f]);
-    inertia.speed[0] = (state.lastPitchSpeed[f] - (clamp(next.pitch[f]) - clamp(here.pitch[f]))) / DT;
+    inertia.value[0] = clamp(state.lastPitch[f]) - clamp(here.pitch[f]);
+    inertia.speed[0] = (state.lastPitchSpeed[f] - (clamp(here.pitch[f]) - clamp(earlier.pitch[f]))) / DT;
     // A speed that would carry the foot far past its place is not handed on.
     inertia.speed[0] = Math.max(-4, Math.min(4, inertia.speed[0]));
-    inertia.age = 0;
+    inertia.age = DT;
     inertia.length = PITCH_TIME;
   }
 }

@@ -1,7 +1,7 @@
 /**
  * Motion-quality figures on a motion with contacts: what the editor shows and the result document carries.
  *
- * Definitions follow docs/quality.md. Popping and jerk need reference captures to compare with and are left null here.
+ * Jerk needs captures of the same speed to compare with and is left null here.
  */
 
 import { quatRotate } from "../math/quaternion.ts";
@@ -12,6 +12,9 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Plan } from "../tasks/plan-types.ts";
 import type { TaskGoal } from "../tasks/transition.ts";
 import { balanceShares } from "./balance.ts";
+import { rangeViolations } from "./joint-ranges.ts";
+import { missedPlants } from "./plants.ts";
+import { poppingOf } from "./popping.ts";
 
 /** Sole points a foot: heel, ball, tip. */
 const ROW = 9;
@@ -132,6 +135,7 @@ export function measureMotion(
       flats.push(1000 * far);
     }
   }
+  const popping = poppingOf(chunks, frames);
   const balance = balanceShares(points, skeleton, plan, goals);
   return {
     skate: p95(slides),
@@ -140,13 +144,13 @@ export function measureMotion(
     float: p95(floats),
     reach: reachOf(points, plan, goals, skeleton),
     footstepError: footstepErrorOf(points, plan),
-    limitViolations: kneesInverted(points),
-    popping: null,
-    poppingOwn: null,
+    limitViolations: rangeViolations(skeleton, chunks, frames).frames,
+    popping: popping?.pooled ?? null,
+    poppingOwn: popping?.own ?? null,
     jerk: null,
     balance: balance.near,
     balanceWithin50mm: balance.wide,
-    missedPlants: null,
+    missedPlants: missedPlants(points, skeleton).length,
   };
 }
 
@@ -231,7 +235,8 @@ function footstepErrorOf(points: MotionPoints, plan: Plan): QualityFigures["foot
       const o = 3 * (JOINT_COUNT * f + joint);
       const toe = o + 3;
       // Flat: heel point and ball at one height.
-      if (Math.abs(points.soles[(2 * f + side) * ROW + 1]) > 2e-4) continue;
+      const sole = (2 * f + side) * ROW;
+      if (Math.abs(points.soles[sole + 1]) > 2e-4 || Math.abs(points.soles[sole + 4]) > 2e-4) continue;
       place = Math.max(place, 1000 * Math.hypot(points.joints[o] - s.x, points.joints[o + 2] - s.z));
       const heading = Math.atan2(
         points.joints[toe] - points.joints[o],
@@ -246,27 +251,4 @@ function footstepErrorOf(points: MotionPoints, plan: Plan): QualityFigures["foot
     }
   });
   return judged > 0 ? { position: place, yaw } : null;
-}
-
-/** Frames in which a knee bends backwards by more than 3 degrees. */
-function kneesInverted(points: MotionPoints): number {
-  let count = 0;
-  for (let f = 0; f < points.frames; f++) {
-    for (const upper of [J.leftUpperLeg, J.rightUpperLeg]) {
-      const j = (joint: number, k: number) => points.joints[3 * (JOINT_COUNT * f + joint) + k];
-      const side = upper === J.leftUpperLeg ? 0 : 1;
-      // Forward by the foot.
-      const fx = points.soles[(2 * f + side) * ROW + 3] - points.soles[(2 * f + side) * ROW];
-      const fz = points.soles[(2 * f + side) * ROW + 5] - points.soles[(2 * f + side) * ROW + 2];
-      const n = Math.hypot(fx, fz);
-      if (n < 0.05) continue;
-      const line = [0, 1, 2].map((k) => (j(upper, k) + j(upper + 2, k)) / 2);
-      const ahead = ((j(upper + 1, 0) - line[0]) * fx + (j(upper + 1, 2) - line[2]) * fz) / n;
-      if (ahead < -0.04) {
-        count++;
-        break;
-      }
-    }
-  }
-  return count;
 }
