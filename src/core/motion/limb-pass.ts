@@ -175,7 +175,7 @@ export function closeArms(w: LimbWorkspace, targets: HandTargets, skeleton: Skel
     if (targets.weight[side] > 0) {
       const t = 3 * side;
       const { place } = targets;
-      closeLimb(w.limbs[side], w.pose, w.positions, w.world, place[t], place[t + 1], place[t + 2]);
+      closeLimb(w.limbs[side], w.pose, w.positions, w.world, place[t], place[t + 1], place[t + 2], false);
     }
     // The hand keeps the way it pointed.
     for (let k = 0; k < 4; k++) w.world[4 * hand + k] = w.q[4 * side + k];

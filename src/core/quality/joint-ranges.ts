@@ -137,7 +137,12 @@ function arm(check: Check, side: "left" | "right", rotations: ArrayLike<number>,
 }
 
 /** Flexion, side bend and twist of one joint's rotation against another's. */
-function swing(check: Check, names: readonly [JointAngle, JointAngle, JointAngle], from: number, to: number): void {
+function swing(
+  check: Check,
+  names: readonly [JointAngle, JointAngle, JointAngle],
+  from: number,
+  to: number,
+): void {
   quatInverseMultiply(q, 0, w, 4 * from, w, 4 * to);
   quatRotate(v, 0, q, 0, 0, 1, 0);
   check(names[0], null, DEG * Math.atan2(v[2], v[1]));

@@ -39,8 +39,7 @@ export function missedPlants(points: MotionPoints, skeleton: Skeleton): MissedPl
       const bit = 1 << (2 * side + end);
       let from = -1;
       for (let f = 0; f <= frames; f++) {
-        const down =
-          f < frames && (end === 0 ? rests(f, side, 0) : rests(f, side, 1) || rests(f, side, 2));
+        const down = f < frames && (end === 0 ? rests(f, side, 0) : rests(f, side, 1) || rests(f, side, 2));
         if (down && from < 0) from = f;
         if (down || from < 0) continue;
         if (f - from >= LEAST) {
