@@ -228,7 +228,7 @@ function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): 
   for (let f = 0; f < 2; f++) {
     const inertia = state.pitchInertia[f];
     const clamp = (p: number) => bearingPitch(setup, p);
-    inertia.value[0] = clamp(state.lastPitch[f]) - clamp(here.pitch[f]);
+    inertia.value[0] = state.lastPitch[f] - clamp(here.pitch[f]);
     inertia.speed[0] = (state.lastPitchSpeed[f] - (clamp(here.pitch[f]) - clamp(earlier.pitch[f]))) / DT;
     // A speed that would carry the foot far past its place is not handed on.
     inertia.speed[0] = Math.max(-4, Math.min(4, inertia.speed[0]));
@@ -336,10 +336,11 @@ function writeFeet(
     const late = u > 0.5 ? smooth((u - 0.5) / 0.5) : 0;
     addGap(track.feet, o, state.liftGap, 7 * f, early);
     addGap(track.feet, o, state.landGap, 7 * f, late);
-    // While it swings the pitch is the capture's: the plant that follows starts from it.
+    // The plant that follows starts from the pitch that the swing has led to.
     pi.length = 0;
-    state.lastPitchSpeed[f] = raw - state.lastPitch[f];
-    state.lastPitch[f] = raw;
+    const swung = pitchOf(track.feet, o + 3);
+    state.lastPitchSpeed[f] = swung - state.lastPitch[f];
+    state.lastPitch[f] = swung;
   }
   track.contacts[frame] = contacts;
 }
