@@ -153,6 +153,7 @@ function planTask(
       index,
       firstSegment,
       followup === null,
+      context.carrying,
     );
     context.lastFoot = null;
     return {
@@ -186,6 +187,7 @@ function planTask(
     index,
     firstSegment,
     followup === null,
+    context.carrying,
   );
   context.lastFoot = entry.template.singleStance ? context.lastFoot : null;
   return {
