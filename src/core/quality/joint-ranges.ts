@@ -1,19 +1,23 @@
 /**
- * Anatomical ranges, judged on where the bones are: frames in which a joint is bent farther than a person's goes.
+ * Joints outside of their anatomical range [motion quality: limitViolations].
  *
- * Angles follow the clinical planes: flexion in the plane of the parent's up and forward, abduction outwards, twist of what is
- * left. The ranges are the widest that are found in goniometry tables, not those of comfort.
+ * Angles are read as goniometry does: hips and ankles by where the bone points in its neighbour's frame, knees and elbows by
+ * the angle between the bones, signed by their hinge; spine and neck by swing and twist of chest on pelvis, head on chest.
  */
 import { quatInverseMultiply, quatRotate } from "../math/quaternion.ts";
-import type { MotionChunk } from "../motion/types.ts";
-import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
-import type { Skeleton } from "../skeleton/skeleton.ts";
 
-/** Least and largest angle, degrees. */
+const DEG = 180 / Math.PI;
+
+/**
+ * What counts as possible, degrees: usual adult ranges of motion (American Academy of Orthopaedic Surgeons; Norkin and
+ * White), widened by what the definition of a skeleton and brisk motion add.
+ */
 export const RANGES = {
   hipFlexion: [-40, 140],
   hipAbduction: [-45, 65],
+  /** Judged by the knee's hinge, so only where the knee bends by 30 to 120 degrees. */
+  hipRotation: [-65, 65],
   kneeFlexion: [-10, 160],
   ankleDorsiflexion: [-70, 45],
   ankleInversion: [-45, 50],
@@ -22,133 +26,139 @@ export const RANGES = {
   spineFlexion: [-45, 100],
   spineLateral: [-45, 45],
   spineTwist: [-60, 60],
-  neckFlexion: [-75, 80],
+  neckFlexion: [-80, 75],
   neckLateral: [-55, 55],
   neckTwist: [-95, 95],
-} as const satisfies Record<string, readonly [number, number]>;
+} as const;
 
-export type JointAngle = keyof typeof RANGES;
+export type RangeName = keyof typeof RANGES;
 
-/** A stretch of angles out of range: which, how many frames, the worst with its frame. */
-export interface RangeViolation {
-  angle: JointAngle;
-  side: "left" | "right" | null;
-  frames: number;
-  worst: number;
-  frame: number;
+const LEGS = [
+  { side: 1, upper: J.leftUpperLeg },
+  { side: -1, upper: J.rightUpperLeg },
+] as const;
+const ARMS = [J.leftUpperArm, J.rightUpperArm] as const;
+
+/** Scratch for one frame's angles; made once a motion. */
+export interface RangeWorkspace {
+  v: Float64Array;
+  q: Float64Array;
 }
 
-const DEG = 180 / Math.PI;
-const p = new Float64Array(3 * JOINT_COUNT);
-const w = new Float64Array(4 * JOINT_COUNT);
-const v = new Float64Array(9);
-const q = new Float64Array(4);
+export const createRangeWorkspace = (): RangeWorkspace => ({
+  v: new Float64Array(12),
+  q: new Float64Array(4),
+});
 
-/** How many frames have any joint out of range, and what was. */
-export function rangeViolations(
-  skeleton: Skeleton,
-  chunks: readonly MotionChunk[],
-  frames: number,
-): { frames: number; list: RangeViolation[] } {
-  const found = new Map<string, RangeViolation>();
-  let count = 0;
-  let frame = 0;
-  let bad = false;
-  const check = (angle: JointAngle, side: RangeViolation["side"], degrees: number): void => {
-    const [low, high] = RANGES[angle];
-    const over = Math.max(low - degrees, degrees - high);
-    if (over <= 0) return;
-    bad = true;
-    const key = `${angle}${side}`;
-    const before = found.get(key);
-    if (!before) found.set(key, { angle, side, frames: 1, worst: degrees, frame });
-    else {
-      before.frames++;
-      if (over > Math.max(low - before.worst, before.worst - high)) {
-        before.worst = degrees;
-        before.frame = frame;
-      }
-    }
+/**
+ * The joints of one frame that are outside of their range, as names; empty where all is well.
+ *
+ * @param p world places at `po` (JOINT_COUNT x 3), `w` world rotations at `wo` (JOINT_COUNT x 4).
+ */
+export function jointsOutOfRange(
+  p: Float64Array,
+  po: number,
+  w: Float64Array,
+  wo: number,
+  space: RangeWorkspace,
+): RangeName[] {
+  const out: RangeName[] = [];
+  const judge = (name: RangeName, degrees: number): void => {
+    const [low, high] = RANGES[name];
+    if (degrees < low || degrees > high) out.push(name);
   };
-  for (const chunk of chunks) {
-    for (let k = 0; k < chunk.frames && chunk.first + k < frames; k++) {
-      frame = chunk.first + k;
-      bad = false;
-      forwardKinematics(p, w, skeleton, chunk.root, 3 * k, chunk.rotations, 4 * JOINT_COUNT * k);
-      leg(check, "left");
-      leg(check, "right");
-      arm(check, "left", chunk.rotations, 4 * JOINT_COUNT * k);
-      arm(check, "right", chunk.rotations, 4 * JOINT_COUNT * k);
-      swing(check, ["spineFlexion", "spineLateral", "spineTwist"], J.hips, J.upperChest);
-      swing(check, ["neckFlexion", "neckLateral", "neckTwist"], J.upperChest, J.head);
-      if (bad) count++;
+  const { v, q } = space;
+  // v: 0 bone a (world), 3 bone b (world), 6 a in a neighbour's frame, 9 an axis.
+  const bone = (o: number, from: number, to: number): void => {
+    let n = 0;
+    for (let k = 0; k < 3; k++) {
+      v[o + k] = p[po + 3 * to + k] - p[po + 3 * from + k];
+      n += v[o + k] * v[o + k];
     }
+    n = Math.sqrt(n) || 1;
+    for (let k = 0; k < 3; k++) v[o + k] /= n;
+  };
+  const into = (o: number, joint: number, from: number): void => {
+    const i = wo + 4 * joint;
+    q[0] = -w[i];
+    q[1] = -w[i + 1];
+    q[2] = -w[i + 2];
+    q[3] = w[i + 3];
+    quatRotate(v, o, q, 0, v[from], v[from + 1], v[from + 2]);
+  };
+  const between = (): number => {
+    const dot = v[0] * v[3] + v[1] * v[4] + v[2] * v[5];
+    v[9] = v[1] * v[5] - v[2] * v[4];
+    v[10] = v[2] * v[3] - v[0] * v[5];
+    v[11] = v[0] * v[4] - v[1] * v[3];
+    return Math.atan2(Math.hypot(v[9], v[10], v[11]), dot) * DEG;
+  };
+  for (const { side, upper } of LEGS) {
+    bone(0, upper, upper + 1);
+    bone(3, upper + 1, upper + 2);
+    into(6, J.hips, 0);
+    judge("hipFlexion", Math.atan2(v[8], -v[7]) * DEG);
+    const sideways = v[6];
+    judge("hipAbduction", Math.asin(Math.max(-1, Math.min(1, side * sideways))) * DEG);
+    const bent = between();
+    // The foot says which way is forward: a knee's axis is to the left of it.
+    const f = wo + 4 * (upper + 2);
+    quatRotate(v, 6, w, f, 0, 0, 1);
+    const lx = -v[4] * v[8] + v[5] * v[7];
+    const ly = -v[5] * v[6] + v[3] * v[8];
+    const lz = -v[3] * v[7] + v[4] * v[6];
+    const flexion = v[9] * lx + v[10] * ly + v[11] * lz >= 0 ? bent : -bent;
+    judge("kneeFlexion", flexion);
+    if (flexion > 30 && flexion < 120 && Math.abs(sideways) < 0.8) judge("hipRotation", side * hipTurn());
+    for (let k = 3; k < 6; k++) v[k] = -v[k];
+    into(6, upper + 2, 3);
+    judge("ankleDorsiflexion", Math.atan2(v[8], v[7]) * DEG);
+    judge("ankleInversion", Math.asin(Math.max(-1, Math.min(1, side * v[6]))) * DEG);
+    quatRotate(v, 0, w, wo + 4 * (upper + 3), 0, 0, 1);
+    into(6, upper + 2, 0);
+    judge("toeExtension", Math.atan2(v[7], v[8]) * DEG);
   }
-  return { frames: count, list: [...found.values()] };
+  for (const upper of ARMS) {
+    bone(0, upper, upper + 1);
+    bone(3, upper + 1, upper + 2);
+    const bent = between();
+    // An elbow's hinge is the upper arm's own: up at rest for the left arm, down for the right.
+    quatRotate(v, 6, w, wo + 4 * upper, 0, upper === J.leftUpperArm ? -1 : 1, 0);
+    judge(
+      "elbowFlexion",
+      bent > 12 && v[9] * v[6] + v[10] * v[7] + v[11] * v[8] < -0.5 * Math.hypot(v[9], v[10], v[11])
+        ? -bent
+        : bent,
+    );
+  }
+  swingTwist("spine", J.hips, J.upperChest);
+  swingTwist("neck", J.upperChest, J.head);
+  return out;
+
+  /** Turn of the knee's axis (9) about the thigh (0) from the pelvis's left, degrees. */
+  function hipTurn(): number {
+    quatRotate(v, 6, w, wo + 4 * J.hips, 1, 0, 0);
+    const along = v[0] * v[6] + v[1] * v[7] + v[2] * v[8];
+    for (let k = 0; k < 3; k++) v[6 + k] -= along * v[k];
+    const x = v[7] * v[11] - v[8] * v[10];
+    const y = v[8] * v[9] - v[6] * v[11];
+    const z = v[6] * v[10] - v[7] * v[9];
+    return Math.atan2(-(x * v[0] + y * v[1] + z * v[2]), v[6] * v[9] + v[7] * v[10] + v[8] * v[11]) * DEG;
+  }
+
+  function swingTwist(name: "spine" | "neck", from: number, to: number): void {
+    quatInverseMultiply(q, 0, w, wo + 4 * from, w, wo + 4 * to);
+    quatRotate(v, 0, q, 0, 0, 1, 0);
+    judge(`${name}Flexion`, Math.atan2(v[2], v[1]) * DEG);
+    judge(`${name}Lateral`, Math.asin(Math.max(-1, Math.min(1, v[0]))) * DEG);
+    // Twist about the bone: what is left when the swing is taken off.
+    let twist = 2 * Math.atan2(q[1], q[3]) * DEG;
+    if (twist > 180) twist -= 360;
+    if (twist < -180) twist += 360;
+    judge(`${name}Twist`, twist);
+  }
 }
 
-type Check = (angle: JointAngle, side: RangeViolation["side"], degrees: number) => void;
-
-/** Direction from joint a to joint b in the frame of a joint's world rotation, into v[o..o+2], of unit length. */
-function along(a: number, b: number, frame: number, o: number): void {
-  const x = p[3 * b] - p[3 * a];
-  const y = p[3 * b + 1] - p[3 * a + 1];
-  const z = p[3 * b + 2] - p[3 * a + 2];
-  const n = Math.hypot(x, y, z) || 1;
-  for (let i = 0; i < 3; i++) q[i] = -w[4 * frame + i];
-  q[3] = w[4 * frame + 3];
-  quatRotate(v, o, q, 0, x / n, y / n, z / n);
-}
-
-function leg(check: Check, side: "left" | "right"): void {
-  const upper = side === "left" ? J.leftUpperLeg : J.rightUpperLeg;
-  const sign = side === "left" ? 1 : -1;
-  const knee = upper + 1;
-  const foot = upper + 2;
-  along(upper, knee, J.hips, 0);
-  check("hipFlexion", side, DEG * Math.atan2(v[2], -v[1]));
-  check("hipAbduction", side, DEG * Math.asin(Math.max(-1, Math.min(1, sign * v[0]))));
-  // Everything of the lower leg is seen from the foot, which says what is forward.
-  along(upper, knee, foot, 0);
-  along(knee, foot, foot, 3);
-  const cx = v[1] * v[5] - v[2] * v[4];
-  const cy = v[2] * v[3] - v[0] * v[5];
-  const cz = v[0] * v[4] - v[1] * v[3];
-  const dot = v[0] * v[3] + v[1] * v[4] + v[2] * v[5];
-  // The shank's up is -v[3..5]; its cross with the foot's forward is the hinge's axis.
-  const sense = cx * -v[4] + cy * v[3];
-  check("kneeFlexion", side, DEG * Math.atan2(Math.hypot(cx, cy, cz), dot) * (sense >= 0 ? 1 : -1));
-  check("ankleDorsiflexion", side, DEG * Math.atan2(-v[5], -v[4]));
-  check("ankleInversion", side, DEG * Math.asin(Math.max(-1, Math.min(1, -sign * v[3]))));
-  quatRotate(v, 0, w, 4 * (foot + 1), 0, 0, 1);
-  for (let i = 0; i < 3; i++) q[i] = -w[4 * foot + i];
-  q[3] = w[4 * foot + 3];
-  quatRotate(v, 3, q, 0, v[0], v[1], v[2]);
-  check("toeExtension", side, DEG * Math.atan2(v[4], v[5]));
-}
-
-/** The elbow's hinge is -Y on the left and Y on the right of the upper arm's frame. */
-function arm(check: Check, side: "left" | "right", rotations: ArrayLike<number>, o: number): void {
-  const lower = side === "left" ? J.leftLowerArm : J.rightLowerArm;
-  const i = o + 4 * lower;
-  const sign = (side === "left" ? -1 : 1) * (rotations[i + 3] < 0 ? -1 : 1);
-  const bend = 2 * Math.atan2(sign * rotations[i + 1], Math.abs(rotations[i + 3]));
-  check("elbowFlexion", side, DEG * bend);
-}
-
-/** Flexion, side bend and twist of one joint's rotation against another's. */
-function swing(
-  check: Check,
-  names: readonly [JointAngle, JointAngle, JointAngle],
-  from: number,
-  to: number,
-): void {
-  quatInverseMultiply(q, 0, w, 4 * from, w, 4 * to);
-  quatRotate(v, 0, q, 0, 0, 1, 0);
-  check(names[0], null, DEG * Math.atan2(v[2], v[1]));
-  check(names[1], null, DEG * Math.asin(Math.max(-1, Math.min(1, v[0]))));
-  let twist = 2 * Math.atan2(q[1], q[3]);
-  if (twist > Math.PI) twist -= 2 * Math.PI;
-  else if (twist < -Math.PI) twist += 2 * Math.PI;
-  check(names[2], null, DEG * twist);
-}
+/** How far apart rows of places and rotations are. */
+export const PLACE_ROW = 3 * JOINT_COUNT;
+export const ROTATION_ROW = 4 * JOINT_COUNT;
