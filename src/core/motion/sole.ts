@@ -14,8 +14,8 @@ const TOE_BEND = (32 * Math.PI) / 180;
 const TOE_SOFT = (4 * Math.PI) / 180;
 /** A heel this little raised still bears: 3.5 mm at the heel point. */
 const HEEL_RESTS = (-1.2 * Math.PI) / 180;
-/** A toe this little raised still bears: 4 mm at the ball. */
-const TOE_RESTS = (1.2 * Math.PI) / 180;
+/** A toe this little raised still bears. */
+const TOE_RESTS = (0.35 * Math.PI) / 180;
 
 /** Pitch of the toe segment when the foot's pitch is `pitch` (toe up positive), radians: 0 until the toes roll, the foot's own when on the heel. */
 export function toeSegmentPitch(pitch: number): number {

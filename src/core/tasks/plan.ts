@@ -199,6 +199,39 @@ function planTask(
   };
 }
 
+/** Cost of the best competitor from which on more are looked at. */
+const FAR_OFF = 0.12;
+/** Within this distance a body stands where a template begins, metres. */
+const THERE = 0.3;
+
+/**
+ * What it costs to come to where an entry begins, in the metrics' units (a tenth a metre): they know of places alone, but an
+ * entry that was walked into wants to be walked into the same way, and one that began from standing to be stood at.
+ */
+function approachCost(
+  library: Library,
+  laid: { steps: DraftStep[]; stance: Feet },
+  template: Template,
+  here: GroundPose,
+): number {
+  const aim = midPose(laid.stance.left, laid.stance.right);
+  const way = groundDistance(here, aim);
+  let length = way;
+  const feet: Feet = { ...laid.stance };
+  for (const s of laid.steps) {
+    length += 0.5 * groundDistance(feet[s.foot], s);
+    feet[s.foot] = s;
+  }
+  const cost = 0.04 * length;
+  if (way < THERE) return cost + 0.1 * way + 0.08 * Math.abs(wrapAngle(aim.yaw - here.yaw));
+  const arrival = Math.abs(wrapAngle(aim.yaw - bearing(here, aim)));
+  const source = library.clips[template.clip].steps;
+  const first = source[template.first];
+  const before = source[template.first - 1];
+  const walkedInto = before !== undefined && first.start - before.end < 0.4 * CLIP_RATE;
+  return cost + (walkedInto ? 0 : 0.08) + 0.08 * arrival;
+}
+
 interface Entry {
   template: Template;
   /** Its steps, and the stance before them, laid in the task's frame. */
@@ -238,14 +271,17 @@ function chooseEntry(
   let origin: GroundPoint = from;
   let entry: Entry | null = null;
   for (let round = 0; round < 2; round++) {
-    const competitors = retrieveEntry(library, query(origin), COMPETITORS);
-    const result = compete(
-      library,
-      competitors,
-      (t) => layInTaskFrame(library, t, task.frame).steps,
-      context.obstacles,
-      () => 0,
-    );
+    const rank = (k: number) =>
+      compete(
+        library,
+        retrieveEntry(library, query(origin), k),
+        (t) => layInTaskFrame(library, t, task.frame).steps,
+        context.obstacles,
+        (t) => approachCost(library, layInTaskFrame(library, t, task.frame), t, here),
+      );
+    let result = rank(COMPETITORS);
+    // Where none of the nearest begins as the body stands, those that do lie farther in the metric.
+    if ((result.list[0]?.distance ?? 0) > FAR_OFF) result = rank(4 * COMPETITORS);
     if (!result.winner) return null;
     const laid = layInTaskFrame(library, result.winner, task.frame);
     const first = laid.steps[0];
@@ -258,7 +294,11 @@ function chooseEntry(
       );
     entry = { template: result.winner, ...laid, stanceFoot, aim, route: route.points, task };
     if (round === 1 || route.points.length < 2) {
-      context.plan.candidates.push({ task: index, phase: "enter", list: result.list });
+      context.plan.candidates.push({
+        task: index,
+        phase: "enter",
+        list: result.list.slice(0, COMPETITORS),
+      });
       break;
     }
     // Furniture makes the way come in from its last corner.
