@@ -30,11 +30,17 @@ const DT = 1 / CLIP_RATE;
 /** Time in which a join dies out: joints and root; feet's pitch. Seconds. */
 const JOIN_TIME = 0.6;
 const PITCH_TIME = 0.2;
+/** The least of it, and the difference from which it takes the full time, radians. */
+const QUICK_PITCH = 0.08;
+const SETTLING = 0.2;
 /** A foot's pitch in a plant, radians. */
 const LEAST_PITCH = -1.25;
 const MOST_PITCH = 0.6;
 /** A planted foot this near to flat lies flat: captures' feet rest a degree off, and a footstep is where the foot is flat. Radians. */
 const FLAT = (1.2 * Math.PI) / 180;
+/** The same while it lands, radians, and for how long, seconds. */
+const LANDING_FLAT = (3.2 * Math.PI) / 180;
+const LANDING = 0.2;
 /** Part of a pivot on the ball after which its heel comes down: a pivot is a footstep of its own, so the foot rests at its end. */
 const SETTLE = 0.5;
 
@@ -95,6 +101,8 @@ export interface BodyState {
   settled: [boolean, boolean];
   lastPitch: [number, number];
   lastPitchSpeed: [number, number];
+  /** Seconds since each foot has landed. */
+  landedAge: [number, number];
 }
 
 export function createBodyState(): BodyState {
@@ -108,6 +116,7 @@ export function createBodyState(): BodyState {
     settled: [false, false],
     lastPitch: [0, 0],
     lastPitchSpeed: [0, 0],
+    landedAge: [1, 1],
   };
 }
 
@@ -227,13 +236,15 @@ function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): 
   }
   for (let f = 0; f < 2; f++) {
     const inertia = state.pitchInertia[f];
-    const clamp = (p: number) => bearingPitch(setup, p);
+    const clamp = (p: number) => bearingPitch(setup, p, flatOf(state.landedAge[f]));
     inertia.value[0] = state.lastPitch[f] - clamp(here.pitch[f]);
     inertia.speed[0] = (state.lastPitchSpeed[f] - (clamp(here.pitch[f]) - clamp(earlier.pitch[f]))) / DT;
     // A speed that would carry the foot far past its place is not handed on.
     inertia.speed[0] = Math.max(-4, Math.min(4, inertia.speed[0]));
     inertia.age = DT;
-    inertia.length = PITCH_TIME;
+    // A foot a little off flat settles at once.
+    const size = Math.min(1, Math.abs(inertia.value[0]) / SETTLING);
+    inertia.length = QUICK_PITCH + size * (PITCH_TIME - QUICK_PITCH);
   }
 }
 
@@ -278,7 +289,7 @@ function writeFeet(
     const moving = step !== null && source >= step.start && source < step.end;
     const landed = step !== null && source >= step.end;
     const pi = state.pitchInertia[f];
-    const raw = bearingPitch(setup, here.pitch[f]);
+    const raw = bearingPitch(setup, here.pitch[f], flatOf(state.landedAge[f]));
     if (state.settled[f] && !moving) {
       state.settled[f] = false;
       pi.value[0] = -raw;
@@ -337,6 +348,7 @@ function writeFeet(
     addGap(track.feet, o, state.liftGap, 7 * f, early);
     addGap(track.feet, o, state.landGap, 7 * f, late);
     // The plant that follows starts from the pitch that the swing has led to.
+    state.landedAge[f] = 0;
     pi.length = 0;
     const swung = pitchOf(track.feet, o + 3);
     state.lastPitchSpeed[f] = swung - state.lastPitch[f];
@@ -345,16 +357,20 @@ function writeFeet(
   track.contacts[frame] = contacts;
 }
 
+/** What counts as flat, by the seconds since the foot has landed: one that comes down on its toes is let down. */
+const flatOf = (age: number): number =>
+  FLAT + (LANDING_FLAT - FLAT) * (1 - smooth(Math.max(0, Math.min(1, (age - LANDING) / LANDING))));
+
 /** Pitch of a foot that bears: within limits, and flat where the capture's is nearly. */
-function restingPitch(pitch: number): number {
+function restingPitch(pitch: number, flat = FLAT): number {
   const p = Math.max(LEAST_PITCH, Math.min(MOST_PITCH, pitch));
-  const over = Math.abs(p) / FLAT - 1;
+  const over = Math.abs(p) / flat - 1;
   return over >= 2 ? p : over <= 0 ? 0 : p * smooth(over / 2);
 }
 
 /** The same in its segment: where nobody steps, a foot that the capture was about to roll over its heel stays flat. */
-function bearingPitch(setup: SegmentSetup, pitch: number): number {
-  const p = restingPitch(pitch);
+function bearingPitch(setup: SegmentSetup, pitch: number, flat = FLAT): number {
+  const p = restingPitch(pitch, flat);
   return setup.step ? p : Math.min(0, p);
 }
 
@@ -451,4 +467,6 @@ function advance(state: BodyState): void {
   state.jointInertia.age += DT;
   state.pitchInertia[0].age += DT;
   state.pitchInertia[1].age += DT;
+  state.landedAge[0] += DT;
+  state.landedAge[1] += DT;
 }
