@@ -95,6 +95,9 @@ export interface BodyState {
   pitchInertia: [Inertia, Inertia];
   /** Difference of the foot's row to its warped capture where its swing begins: place, rotation vector, toe bend. */
   liftGap: Float64Array;
+  /** ... how fast it changes, a second, and the time since the last planted frame. */
+  liftSpeed: Float64Array;
+  liftAge: [number, number];
   landGap: Float64Array;
   swinging: [boolean, boolean];
   /** A foot that has just pivoted on its ball and now lies flat. */
@@ -111,6 +114,8 @@ export function createBodyState(): BodyState {
     jointInertia: createInertia(3 * JOINT_COUNT),
     pitchInertia: [createInertia(1), createInertia(1)],
     liftGap: new Float64Array(14),
+    liftSpeed: new Float64Array(14),
+    liftAge: [0, 0],
     landGap: new Float64Array(14),
     swinging: [false, false],
     settled: [false, false],
@@ -339,13 +344,14 @@ function writeFeet(
     }
     if (!state.swinging[f]) {
       state.swinging[f] = true;
-      startSwing(setup, f, skeleton, state, pitch);
+      startSwing(track, frame, setup, f, source, skeleton, state);
+      state.liftAge[f] = 0;
     }
+    state.liftAge[f] += DT;
     swingFoot(track.feet, o, setup, f, source, here);
     const u = t / (step.end - step.start);
-    const early = u < 0.4 ? 1 - smooth(u / 0.4) : 0;
     const late = u > 0.5 ? smooth((u - 0.5) / 0.5) : 0;
-    addGap(track.feet, o, state.liftGap, 7 * f, early);
+    addLift(track.feet, o, state, f, state.liftAge[f], (LIFT_PART * (step.end - step.start)) / CLIP_RATE);
     addGap(track.feet, o, state.landGap, 7 * f, late);
     // The plant that follows starts from the pitch that the swing has led to.
     state.landedAge[f] = 0;
@@ -376,23 +382,54 @@ function bearingPitch(setup: SegmentSetup, pitch: number, flat = FLAT): number {
 
 const smooth = (u: number): number => u * u * u * (u * (6 * u - 15) + 10);
 
-/** The gaps between the warped capture and the closed form at both ends of a swing. */
+/**
+ * The gaps between the warped capture and the closed form at both ends of a swing. At the lift the speed counts too: a heel that
+ * rises by its own pitch may be slower than the capture's swing, and a leg that is nearly straight shows every jump at the knee.
+ */
 function startSwing(
+  track: BodyTrack,
+  frame: number,
   setup: SegmentSetup,
   f: 0 | 1,
+  source: number,
   skeleton: Skeleton,
   state: BodyState,
-  pitch: number,
 ): void {
   const step = setup.step!;
-  mapBody(next, setup, step.start);
-  plantedFoot(row, 0, skeleton.foot, setup.planBefore[f], setup.heightBefore[f], pitch);
-  gap(state.liftGap, 7 * f, setup, f, step.start, row);
+  const rate = (setup.segment.to - setup.segment.from) / setup.segment.frames;
+  const g = 7 * f;
+  for (let back = 0; back < 2; back++) {
+    // A plan that begins with a lift has nothing before it.
+    const at = Math.max(0, frame - 1 - back);
+    mapBody(next, setup, source - (1 + back) * rate);
+    for (let k = 0; k < FOOT_STRIDE; k++) row[k] = track.feet[(2 * at + f) * FOOT_STRIDE + k];
+    gap(back === 0 ? state.liftGap : state.liftSpeed, g, setup, f, source - (1 + back) * rate, row);
+  }
+  for (let k = g; k < g + 7; k++) state.liftSpeed[k] = (state.liftGap[k] - state.liftSpeed[k]) / DT;
   mapBody(next, setup, step.end);
   const p = restingPitch(next.pitch[f]);
   plantedFoot(row, 0, skeleton.foot, setup.planAfter[f], setup.heightAfter[f], p);
-  gap(state.landGap, 7 * f, setup, f, step.end, row);
+  gap(state.landGap, g, setup, f, step.end, row);
 }
+
+/** Part of a swing in which what is left of the plant before it dies out. */
+const LIFT_PART = 0.4;
+
+/** What is left of the lift's gap, added to a foot `age` seconds after its last planted frame. */
+function addLift(
+  feet: Float64Array,
+  o: number,
+  state: BodyState,
+  f: 0 | 1,
+  age: number,
+  length: number,
+): void {
+  if (age >= length) return;
+  for (let k = 0; k < 7; k++)
+    left[k] = decay(state.liftGap[7 * f + k], state.liftSpeed[7 * f + k], age, length);
+  addGap(feet, o, left, 0, 1);
+}
+const left = new Float64Array(7);
 
 const swung = new Float64Array(FOOT_STRIDE);
 
