@@ -11,6 +11,7 @@ import ik from "./ik.bench.ts";
 import leftOut from "./left-out.bench.ts";
 import optimiser from "./optimiser.bench.ts";
 import planning from "./planning.bench.ts";
+import quality from "./quality.bench.ts";
 import styles from "./styles.bench.ts";
 import type { BenchModule, BenchOptions, Figure } from "./types.ts";
 
@@ -23,6 +24,7 @@ const MODULES: BenchModule[] = [
   styles,
   groundTruth,
   leftOut,
+  quality,
   browser,
 ];
 
