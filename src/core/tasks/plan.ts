@@ -192,6 +192,8 @@ function planTask(
   };
 }
 
+type Laid = ReturnType<typeof layInTaskFrame>;
+
 /** Cost of the best competitor from which on more are looked at. */
 const FAR_OFF = 0.12;
 /** Within this distance a body stands where a template begins, metres. */
@@ -201,12 +203,7 @@ const THERE = 0.3;
  * What it costs to come to where an entry begins, in the metrics' units (a tenth a metre): they know of places alone, but an
  * entry that was walked into wants to be walked into the same way, and one that began from standing to be stood at.
  */
-function approachCost(
-  library: Library,
-  laid: { steps: DraftStep[]; stance: Feet },
-  template: Template,
-  here: GroundPose,
-): number {
+function approachCost(library: Library, laid: Laid, template: Template, here: GroundPose): number {
   const aim = midPose(laid.stance.left, laid.stance.right);
   const way = groundDistance(here, aim);
   let length = way;
@@ -261,16 +258,22 @@ function chooseEntry(
       hand: task.hand,
     };
   };
+  const known = new Map<Template, Laid>();
   let origin: GroundPoint = from;
   let entry: Entry | null = null;
   for (let round = 0; round < 2; round++) {
+    const lay = (t: Template): Laid => {
+      const laid = known.get(t) ?? layInTaskFrame(library, t, task.frame);
+      known.set(t, laid);
+      return laid;
+    };
     const rank = (k: number) =>
       compete(
         library,
         retrieveEntry(library, query(origin), k),
-        (t) => layInTaskFrame(library, t, task.frame).steps,
+        (t) => lay(t).steps,
         context.obstacles,
-        (t) => approachCost(library, layInTaskFrame(library, t, task.frame), t, here),
+        (t) => approachCost(library, lay(t), t, here),
       );
     let result = rank(COMPETITORS);
     // Where none of the nearest begins as the body stands, those that do lie farther in the metric.
