@@ -1,6 +1,6 @@
 /** The sliders of the studio page: what each changes, in which range, and how its value is said. */
 import { type Mood, NEUTRAL } from "../studio/score.ts";
-import { STYLES, type Style, styleManner } from "../studio/styles.ts";
+import { type Style, styleManner } from "../studio/styles.ts";
 import type { WalkSettings } from "../studio/walk-score.ts";
 
 export interface Slider {
@@ -170,5 +170,3 @@ export function inStyle(s: WalkSettings, style: Style): WalkSettings {
     bouncing: bouncing === true,
   };
 }
-
-export { STYLES };
