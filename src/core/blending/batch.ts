@@ -31,8 +31,7 @@ export const BLEND_TIME = 27;
 /** Root control: lambda_4, then the wanted velocity (lateral, forward, turn) in the root's frame. */
 export const LAMBDA4 = 28;
 export const WANT = 29;
-/** Landing of the step before, seconds; its side (0 left, 1 right). */
-export const LAST_LAND = 32;
+/** Side of the body's step: 0 left, 1 right. */
 export const LAST_SIDE = 33;
 /** Lift of the step that comes next as far as is known; Infinity. */
 export const NEXT_LIFT = 34;

@@ -27,7 +27,6 @@ import {
   FOOT_STATE,
   LAMBDA4,
   LAND,
-  LAST_LAND,
   LAST_SIDE,
   NEXT_LIFT,
   NOW,
@@ -138,7 +137,6 @@ function stand(b: Batch, i: number, at: GroundPose & { y?: number }): void {
   s.set([at.x, at.z, at.yaw, at.y ?? 0], o + TO);
   s.set([at.x, at.z, at.yaw, at.y ?? 0], o + NOW);
   s[o + T1] = b.time;
-  s[o + LAST_LAND] = Number.NEGATIVE_INFINITY;
   s[o + LAST_SIDE] = 1;
   s[o + NEXT_LIFT] = Number.POSITIVE_INFINITY;
   const { standFoot } = b.library;

@@ -12,7 +12,6 @@ import {
   FOOT_STATE,
   LAMBDA4,
   LAND,
-  LAST_LAND,
   LAST_SIDE,
   LIFT,
   NEXT_LIFT,
@@ -66,7 +65,8 @@ export function startStep(b: Batch, i: number, row: number, next: number): void 
   readPlace(query.from, s, f + PLACE);
   readPlace(query.support, s, support);
   readPlace(query.target, queue, row + 1);
-  query.since = land - s[o + LAST_LAND];
+  // A runner's other foot is still on its way.
+  query.since = land - Math.max(s[f + F_LAND], s[g + F_LAND]);
   query.air = land - lift;
   query.lambda4 = s[o + LAMBDA4];
   query.want.x = s[o + WANT];
@@ -183,7 +183,6 @@ export function landFoot(b: Batch, i: number, side: number): void {
   const f = STATE * i + FOOT + FOOT_STATE * side;
   for (let k = 0; k < PLACE_SIZE; k++) s[f + PLACE + k] = s[f + TARGET + k];
   s[f + AIR] = 0;
-  s[STATE * i + LAST_LAND] = s[f + F_LAND];
   findNext(b, i, side);
 }
 
