@@ -18,16 +18,19 @@ import {
   NOW,
   PHI,
   PITCH,
+  PLACE,
   POSE,
+  QUEUE,
+  QUEUE_ROW,
   STATE,
   STEPPING,
   T1,
 } from "./batch.ts";
 import { footAt } from "./foot-track.ts";
 import { closeLeg, type Leg, legOf, sinkFor } from "./leg-ik.ts";
-import { HIPS_AT } from "./library.ts";
+import { easedShare, HIPS_AT } from "./library.ts";
 import { rootAt } from "./root-track.ts";
-import { applyOffset, sampleBody } from "./sample.ts";
+import { applyHipsOffset, applyOffset, HIPS_BLEND, sampleBody } from "./sample.ts";
 
 /** Phase of the body's rows at time t: lift, landing and next lift are met [Barycentric §5, time warping]. */
 function bodyPhase(s: Float64Array, o: number, t: number): number {
@@ -49,12 +52,38 @@ export function shownBody(out: Float64Array, b: Batch, i: number, t: number): vo
   else {
     const { stand } = b.library;
     for (let k = 0; k < HIPS_AT + 3; k++) out[k] = stand[k];
+    leanOver(out, b, i, t);
   }
   const length = s[o + BLEND_TIME];
   if (length > 0) {
-    const u = (t - s[o + BLEND_FROM]) / length;
-    if (u < 1) applyOffset(out, b, i, Math.max(u, 0), length);
+    const time = Math.max(0, t - s[o + BLEND_FROM]);
+    if (time < length) applyOffset(out, b, i, time / length, length);
+    if (time < HIPS_BLEND) applyHipsOffset(out, b, i, time);
   }
+}
+
+/** Seconds before a first lift at which the weight begins to go over; share of the way to the supporting foot that it goes. */
+const LEAN_TIME = 0.5;
+const LEAN = 0.45;
+
+/** Before a first step the hips go over the foot that will bear [anticipatory adjustment, Breniere and Do 1986]. */
+function leanOver(out: Float64Array, b: Batch, i: number, t: number): void {
+  if (b.queueCount[i] === 0) return;
+  const row = QUEUE_ROW * (QUEUE * i + b.queueHead[i]);
+  const u = 1 + (t - b.queue[row + 7]) / LEAN_TIME;
+  if (u <= 0) return;
+  const s = b.state;
+  const o = STATE * i;
+  const side = b.queue[row];
+  const f = o + FOOT + FOOT_STATE * (1 - side) + PLACE;
+  const g = o + FOOT + FOOT_STATE * side + PLACE;
+  const share = LEAN * easedShare(Math.min(1, u));
+  const dx = (share * (s[f] - s[g])) / 2;
+  const dz = (share * (s[f + 2] - s[g + 2])) / 2;
+  const c = Math.cos(s[o + NOW + 2]);
+  const n = Math.sin(s[o + NOW + 2]);
+  out[HIPS_AT] += c * dx - n * dz;
+  out[HIPS_AT + 2] += n * dx + c * dz;
 }
 
 const legs = new WeakMap<object, Leg>();
