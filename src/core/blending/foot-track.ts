@@ -103,9 +103,8 @@ function plantedPitch(b: Batch, i: number, side: number, t: number): number {
  * The ankle's place, the foot's rotation and the toes' bend wanted at time t, into the foot's block (ANKLE).
  *
  * @param dt seconds since the frame before, for the pitch's rate.
- * @returns 1 while the foot is down.
  */
-export function footAt(b: Batch, i: number, side: number, t: number, dt: number): number {
+export function footAt(b: Batch, i: number, side: number, t: number, dt: number): void {
   const s = b.state;
   const o = STATE * i;
   const f = o + FOOT + FOOT_STATE * side;
@@ -113,16 +112,9 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
   if (s[f + AIR] === 0) {
     const wanted = plantedPitch(b, i, side, t);
     const most = PITCH_RATE * dt;
-    const step = wanted - s[f + PITCH];
-    const pitch = s[f + PITCH] + (step > most ? most : Math.max(step, -most));
-    s[f + PITCH] = pitch;
-    ankleOver(s, f + PLACE, shape, pitch);
-    s[f + ANKLE] = spot[0];
-    s[f + ANKLE + 1] = spot[1];
-    s[f + ANKLE + 2] = spot[2];
-    rotateFoot(s, f, s[f + PLACE + 3], pitch, s[f + PLACE + 4], s[f + PLACE + 5]);
-    s[f + ANKLE + 7] = planted[2];
-    return 1;
+    s[f + PITCH] += Math.max(-most, Math.min(most, wanted - s[f + PITCH]));
+    plant(b, f);
+    return;
   }
   const swing = b.scratch.swing;
   const length = s[f + F_LAND] - s[f + F_LIFT];
@@ -131,7 +123,7 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
   sampleSwing(swing, b, mix, side, 1);
   const landing = swing[3];
   sampleSwing(swing, b, mix, side, 0);
-  const early = u < 0.5 ? (1 - 2 * u) * (1 - 2 * u) : 0;
+  const early = 1 - easedShare(Math.min(1, u / 0.6));
   const pitchOff = early * (s[f + LEAVE + 3] - swing[3]);
   const toeOff = early * (s[f + LEAVE + 4] - swing[4]);
   sampleSwing(swing, b, mix, side, u);
@@ -164,7 +156,38 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
     s[f + PLACE + 5] + share * (s[f + TARGET + 5] - s[f + PLACE + 5]),
   );
   s[f + ANKLE + 7] = bend;
-  return 0;
+}
+
+/** Ankles bend up no farther than about this over a planted foot; beyond, the heel rises. Softness; radians. */
+const MOST_BEND = 0.66;
+const BEND_SOFT = 0.04;
+
+/**
+ * Lets the heel of a planted foot rise where the shank leans farther than the ankle bends.
+ *
+ * @param bend the ankle's bend, toe towards shin positive, as the leg is closed now.
+ * @returns whether the ankle wanted has changed: the leg is then closed again.
+ */
+export function easeAnkle(b: Batch, i: number, side: number, bend: number): boolean {
+  const over = (bend - MOST_BEND) / BEND_SOFT;
+  if (over < -3) return false;
+  const s = b.state;
+  const f = STATE * i + FOOT + FOOT_STATE * side;
+  const pitch = s[f + PITCH] - BEND_SOFT * Math.log1p(Math.exp(Math.min(over, 20)));
+  s[f + PITCH] = Math.max(-1.3, pitch);
+  plant(b, f);
+  return true;
+}
+
+/** The ankle wanted of a planted foot at its pitch. */
+function plant(b: Batch, f: number): void {
+  const s = b.state;
+  ankleOver(s, f + PLACE, b.library.skeleton.foot, s[f + PITCH]);
+  s[f + ANKLE] = spot[0];
+  s[f + ANKLE + 1] = spot[1];
+  s[f + ANKLE + 2] = spot[2];
+  rotateFoot(s, f, s[f + PLACE + 3], s[f + PITCH], s[f + PLACE + 4], s[f + PLACE + 5]);
+  s[f + ANKLE + 7] = planted[2];
 }
 
 /** Height of the sole's lowest point (heel, ball, tip) over the ankle, negative. */

@@ -6,6 +6,7 @@ import { contactsOfPitch } from "../motion/sole.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import {
+  AIR,
   ANKLE,
   type Batch,
   BLEND_FROM,
@@ -26,7 +27,7 @@ import {
   STEPPING,
   T1,
 } from "./batch.ts";
-import { footAt } from "./foot-track.ts";
+import { easeAnkle, footAt } from "./foot-track.ts";
 import { closeLeg, type Leg, legOf, sinkFor } from "./leg-ik.ts";
 import { easedShare, HIPS_AT } from "./library.ts";
 import { rootAt } from "./root-track.ts";
@@ -127,7 +128,7 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
   let sink = 0;
   for (let side = 0; side < 2; side++) {
     const f = o + FOOT + FOOT_STATE * side;
-    if (footAt(b, i, side, t, dt) === 1) contacts |= contactsOfPitch(s[f + PITCH]) << (2 * side);
+    footAt(b, i, side, t, dt);
     const joint = 3 * (side === 0 ? J.leftUpperLeg : J.rightUpperLeg);
     const need = sinkFor(
       leg,
@@ -145,8 +146,16 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
     }
   }
   if (sink > 0) for (let j = 0; j < JOINT_COUNT; j++) positions[3 * j + 1] -= sink;
-  closeLeg(leg, offsets, pose, positions, world, J.leftUpperLeg, s, o + FOOT);
-  closeLeg(leg, offsets, pose, positions, world, J.rightUpperLeg, s, o + FOOT + FOOT_STATE);
+  for (let side = 0; side < 2; side++) {
+    const f = o + FOOT + FOOT_STATE * side;
+    const upper = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
+    closeLeg(leg, offsets, pose, positions, world, upper, s, f);
+    if (s[f + AIR] === 1) continue;
+    const q = 4 * (upper + 2);
+    const bend = -2 * Math.atan2(pose[q], pose[q + 3]);
+    if (easeAnkle(b, i, side, bend)) closeLeg(leg, offsets, pose, positions, world, upper, s, f);
+    contacts |= contactsOfPitch(s[f + PITCH]) << (2 * side);
+  }
   b.root[3 * i] = positions[0];
   b.root[3 * i + 1] = positions[1];
   b.root[3 * i + 2] = positions[2];
