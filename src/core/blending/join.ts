@@ -47,6 +47,19 @@ export function joinMotions(a: PlannedMotion, b: PlannedMotion): PlannedMotion {
       ],
       duration: later + b.plan.duration,
       warnings: [...a.plan.warnings, ...b.plan.warnings],
+      ...(b.plan.blend
+        ? {
+            blend: {
+              ...b.plan.blend,
+              first: a.plan.steps.length,
+              choices: b.plan.blend.choices.map((c) => ({
+                ...c,
+                lift: c.lift + later,
+                land: c.land + later,
+              })),
+            },
+          }
+        : {}),
     },
     clip: {
       ...a.clip,

@@ -12,10 +12,11 @@ import type { Foot, Footstep, Step } from "../steps/types.ts";
 import type { Plan } from "../tasks/plan-types.ts";
 import { AIR, F_LAND, FOOT, FOOT_STATE, LAST_SIDE, LIFT, PLACE, STATE } from "./batch.ts";
 import { type BlendCrowd, createBlendCrowd, type TimedFootstep } from "./crowd.ts";
-import { triangleArea } from "./foot-space.ts";
+import { type FootSpace, triangleArea } from "./foot-space.ts";
 import type { BlendLibrary } from "./library.ts";
 import { feetForStones } from "./stone-feet.ts";
 import { timesFor } from "./stone-times.ts";
+import type { StepChoice } from "./types.ts";
 
 /** Seconds standing before the first lift and after the last landing. */
 const LEAD = 0.7;
@@ -25,31 +26,7 @@ const ON_GROUND = 0.02;
 /** Footsteps missed by more than this are told, metres. */
 const TOLD = 0.005;
 
-/** What the blend did for one step: what the plots show. */
-export interface StepChoice {
-  foot: Foot;
-  lift: number;
-  land: number;
-  /** The query in the root's frame, where it was weighed (the hull), where the mix lands, the root's landing r. */
-  query: [number, number];
-  weighed: [number, number];
-  landing: [number, number];
-  root: [number, number];
-  triangle: number;
-  area: number;
-  /** Clips at the triangle's corners after Algorithm 1, their lambdas, lambda_4 and beta. */
-  corners: number[];
-  lambda: number[];
-  lambda4: number;
-  beta: number;
-  /** Clips blended and their weights. */
-  clips: number[];
-  weights: number[];
-  /** Metres: from the blend alone to the footstep, before inverse kinematics; from where it lands to the footstep. */
-  before: number;
-  missed: number;
-}
-
+/** A plan whose `blend` says what was chosen for each step, with its motion. */
 export interface StonePlan {
   plan: Plan;
   clip: Clip;
@@ -118,8 +95,21 @@ export function planStones(scene: Scene, library: BlendLibrary, standing: Standi
         `${name(k)}.position: out of reach by ${c.missed.toFixed(2)} m; the foot lands as near as it can.`,
       );
   });
-  return { ...motion, plan: planOf(start, steps, motion.clip.frames / CLIP_RATE, warnings, library) };
+  const plan = planOf(start, steps, motion.clip.frames / CLIP_RATE, warnings, library);
+  plan.blend = {
+    names: library.names,
+    feet: [spaceOf(library.feet[0]), spaceOf(library.feet[1])],
+    first: 0,
+    choices: motion.choices,
+  };
+  return { ...motion, plan };
 }
+
+const spaceOf = (f: FootSpace) => ({
+  points: Array.from(f.points),
+  triangles: Array.from(f.triangles),
+  hull: Array.from(f.hull),
+});
 
 const groundOf = (s: SceneStone): GroundPose => ({
   x: s.position[0],
