@@ -149,7 +149,9 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
       hands = handResults(synthesis);
     }
     if (scene.stones.length > 0) {
-      const stones = planStones(scene, blendsFor(key, skeleton), motion ? standingAfter(motion) : null);
+      const stones = planStones(scene, blendsFor(key, skeleton), motion ? standingAfter(motion) : null, {
+        lambda4: request.lambda4 ?? 0,
+      });
       motion = motion ? joinMotions(motion, stones) : stones;
     }
     if (!motion) throw new Error("The scene has neither paths nor stones.");

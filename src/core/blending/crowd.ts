@@ -81,7 +81,7 @@ export interface BlendCrowd extends Batch {
   push(i: number, step: TimedFootstep): boolean;
   /** Forgets the footsteps that have not begun. */
   clear(i: number): void;
-  /** Root control: lambda_4 and the wanted velocity in the root's frame, m/s and rad/s. */
+  /** Root control: lambda_4 and the wanted velocity in the root's frame, m/s and rad/s; NaN for the footsteps' own. */
   steer(i: number, lambda4: number, lateral: number, forward: number, turn: number): void;
   /** Whether a foot is on its way, and the place where it is or goes. */
   footstep(i: number, side: 0 | 1, out: { x: number; y: number; z: number; yaw: number }): boolean;

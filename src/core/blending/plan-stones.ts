@@ -52,8 +52,14 @@ export function orderedStones(scene: Scene): SceneStone[] {
  * Plans and synthesises a scene's stones: never fails on stones out of reach, it comes as near as it can and says so.
  *
  * @param standing where the character comes from; null for standing at the scene's start.
+ * @param options `lambda4`: 0 lands on the stones, 1 follows the root's velocity alone; beyond beta feet leave the stones.
  */
-export function planStones(scene: Scene, library: BlendLibrary, standing: Standing | null = null): StonePlan {
+export function planStones(
+  scene: Scene,
+  library: BlendLibrary,
+  standing: Standing | null = null,
+  options: { lambda4?: number } = {},
+): StonePlan {
   const stones = orderedStones(scene);
   const warnings: string[] = [];
   const crowd = createBlendCrowd(library, 1, { matrices: false });
@@ -61,6 +67,8 @@ export function planStones(scene: Scene, library: BlendLibrary, standing: Standi
   const i = crowd.add({ x, z, yaw: wrapAngle(scene.start.yaw), y: groundHeight(scene.terrain, x, z) });
   if (standing) crowd.adopt(i, standing.feet, standing.root, standing.rotations);
   else standOnGround(crowd, scene.terrain);
+  const lambda4 = Math.max(0, Math.min(1, options.lambda4 ?? 0));
+  crowd.steer(i, lambda4, Number.NaN, Number.NaN, Number.NaN);
   const start: [Footstep, Footstep] = [footOf(crowd, 0), footOf(crowd, 1)];
   const feet = feetForStones(
     start,
@@ -90,7 +98,7 @@ export function planStones(scene: Scene, library: BlendLibrary, standing: Standi
   const last = steps.reduce((t, s) => Math.max(t, s.land), 0);
   const motion = playTrack(crowd, steps, last + TAIL, scene.seed.toString());
   motion.choices.forEach((c, k) => {
-    if (c.missed > TOLD)
+    if (lambda4 === 0 && c.missed > TOLD)
       warnings.push(
         `${name(k)}.position: out of reach by ${c.missed.toFixed(2)} m; the foot lands as near as it can.`,
       );

@@ -41,7 +41,7 @@ export interface StepQuery {
   /** Seconds from the landing before to the landing; from the lift to it. */
   since: number;
   air: number;
-  /** lambda_4 and the root's wanted velocity in its own frame; with lambda_4 = 0 the track's own velocity counts. */
+  /** lambda_4 and the root's wanted velocity in its own frame; the track's own counts with lambda_4 = 0 or where it is NaN. */
   lambda4: number;
   want: Place;
   /** Options of the batch. */
@@ -124,7 +124,7 @@ export function queryStep(
   // Share of the time between the landings that is past at the lift; below 0 in a run, which lifts first.
   const past = Math.max(-1, (time - q.air) / time);
   const turn = wrapAngle(q.yawAfter - yawBefore);
-  if (q.lambda4 > 0) {
+  if (q.lambda4 > 0 && !Number.isNaN(q.want.x)) {
     q.velocity.x = q.want.x;
     q.velocity.z = q.want.z;
     q.velocity.yaw = q.want.yaw;
