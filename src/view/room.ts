@@ -30,6 +30,8 @@ export interface Room {
   setTheme(theme: Theme): void;
   /** Shows the key light's shadow, or leaves it out; no shader changes. */
   setShadow(shown: boolean): void;
+  /** Whether the floor is drawn: not where a scene has ground of its own. */
+  showFloor(shown: boolean): void;
   /** Draws the light of the surroundings anew: it lives on the graphics card alone and is lost with the context. */
   relight(): void;
   dispose(): void;
@@ -157,6 +159,9 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * 
     setShadow(on) {
       shown = on;
       key.shadow.intensity = on ? strength : 0;
+    },
+    showFloor(shown) {
+      floor.visible = shown;
     },
     relight() {
       environment = light();

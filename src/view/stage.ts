@@ -263,6 +263,12 @@ export class Stage {
     return { x: ((v.x + 1) / 2) * this.size.width, y: ((1 - v.y) / 2) * this.size.height, visible: v.z < 1 };
   }
 
+  /** Whether the room's own floor is drawn. */
+  showFloor(shown: boolean): void {
+    this.room.showFloor(shown);
+    this.invalidate();
+  }
+
   /** Adds something of a feature's own to what is drawn. */
   add(object: Object3D): void {
     this.scene.add(object);

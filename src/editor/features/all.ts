@@ -2,6 +2,7 @@
 import { basics } from "./basics.ts";
 import type { Feature } from "./feature.ts";
 import { paths } from "./paths.ts";
+import { stones } from "./stones.ts";
 import { tasks } from "./tasks.ts";
 
-export const ALL_FEATURES: readonly Feature[] = [basics, tasks, paths];
+export const ALL_FEATURES: readonly Feature[] = [basics, tasks, paths, stones];

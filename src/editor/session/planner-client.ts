@@ -70,9 +70,9 @@ export class PlannerClient {
   }
 
   /** Asks for a plan; what was asked before is overtaken. @returns the request's id. */
-  plan(scene: Scene, now: number | null): number {
+  plan(scene: Scene, now: number | null, lambda4 = 0): number {
     const id = this.nextId++;
-    this.newest = { type: "plan", id, client: 0, scene, now, fromFrame: 0 };
+    this.newest = { type: "plan", id, client: 0, scene, now, fromFrame: 0, lambda4 };
     this.send(this.newest);
     return id;
   }
