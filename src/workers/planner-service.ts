@@ -5,24 +5,16 @@
  * planner-worker.ts, or on the page's own thread where no worker can start (then with smaller slices).
  */
 
-import { joinMotions, type PlannedMotion, risen, standingAfter } from "../core/blending/join.ts";
 import { type BlendLibrary, bakeLibrary } from "../core/blending/library.ts";
-import { planStones } from "../core/blending/plan-stones.ts";
 import type { CyclicSource } from "../core/blending/types.ts";
-import {
-  beginSynthesis,
-  handResults,
-  type SwingCache,
-  synthesiseChunk,
-  synthesiseClip,
-} from "../core/motion/synthesise.ts";
+import { beginSynthesis, handResults, type SwingCache, synthesiseChunk } from "../core/motion/synthesise.ts";
 import type { MotionChunk } from "../core/motion/types.ts";
+import { planWhole } from "../core/motion/whole-scene.ts";
 import { measureMotion } from "../core/quality/measure.ts";
 import type { Scene } from "../core/scene/types.ts";
 import { JOINT_COUNT } from "../core/skeleton/joints.ts";
 import { createSkeleton, type Skeleton } from "../core/skeleton/skeleton.ts";
 import type { StrideFamily } from "../core/styles/family.ts";
-import { planPaths, stylesOf } from "../core/styles/plan-paths.ts";
 import { goalsOf, planScene } from "../core/tasks/plan-scene.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
 import type { TaskGoal } from "../core/tasks/transition.ts";
@@ -117,14 +109,13 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     return character;
   }
 
-  /** The walk along a scene's paths, in the styles painted; tasks wait until there are no paths. */
-  function alongPaths(scene: Scene, key: string, skeleton: Skeleton): PlannedMotion {
+  /** The styles named, fitted to a character and kept until there is another. */
+  function familiesFor(key: string, skeleton: Skeleton, styles: string[]): ReadonlyMap<string, StrideFamily> {
     if (families?.key !== key) families = { key, byStyle: new Map() };
-    const missing = stylesOf(scene).filter((style) => !families?.byStyle.has(style));
-    for (const [style, family] of styleFamilies(missing, skeleton)) families.byStyle.set(style, family);
-    const { plan, motion } = planPaths(scene, skeleton, families.byStyle);
-    if (scene.tasks.length > 0) plan.warnings.push("paths: tasks wait while a path is followed.");
-    return { plan, clip: motion.clip, contacts: motion.contacts };
+    const { byStyle } = families;
+    const missing = styles.filter((style) => !byStyle.has(style));
+    for (const [style, family] of styleFamilies(missing, skeleton)) byStyle.set(style, family);
+    return byStyle;
   }
 
   /** The clips that steps on stones are blended of, baked for a character. */
@@ -134,30 +125,24 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     return blends.library;
   }
 
-  /** A scene with paths or stones: its tasks or paths, then its stones, as one motion. */
+  /** A scene with paths or stones: everything in its order, as one motion. */
   async function answerWhole(request: PlanRequest): Promise<void> {
-    const scene = risen(request.scene);
+    const { scene } = request;
     const skeleton = createSkeleton(scene.character.height, scene.character.proportions);
     const begun = performance.now();
     const { key, library, cache } = libraryFor(scene);
-    let motion: PlannedMotion | null = null;
-    let hands: ReturnType<typeof handResults> = { boxes: [], ink: [] };
-    if (scene.paths.length > 0) motion = alongPaths(scene, key, skeleton);
-    else if (scene.tasks.length > 0) {
-      const plan = planScene(scene, library, skeleton, { trace: true });
-      const synthesis = beginSynthesis(library, skeleton, plan, goalsOf(scene), cache);
-      motion = { plan, clip: synthesiseClip(synthesis, "scene"), contacts: synthesis.track.contacts };
-      hands = handResults(synthesis);
-    }
-    if (scene.stones.length > 0) {
-      const stones = planStones(scene, blendsFor(key, skeleton), motion ? standingAfter(motion) : null, {
-        lambda4: request.lambda4 ?? 0,
-      });
-      motion = motion ? joinMotions(motion, stones) : stones;
-    }
-    if (!motion) throw new Error("The scene has neither paths nor stones.");
+    const { plan, clip, contacts, boxes, ink } = planWhole(
+      scene,
+      skeleton,
+      {
+        library: () => library,
+        families: (styles) => familiesFor(key, skeleton, styles),
+        blends: () => blendsFor(key, skeleton),
+        cache,
+      },
+      { lambda4: request.lambda4 ?? 0, trace: true },
+    );
     played.delete(request.client);
-    const { plan, clip, contacts } = motion;
     post({ type: "planned", id: request.id, plan, planMs: performance.now() - begun, frames: clip.frames });
     await pause();
     const started = performance.now();
@@ -180,9 +165,8 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
       await pause();
     }
     const motionMs = performance.now() - started;
-    const goals = scene.paths.length > 0 ? [] : goalsOf(scene);
-    const quality = measureMotion(skeleton, chunks, clip.frames, plan, goals);
-    post({ type: "finished", id: request.id, ...hands, quality, motionMs });
+    const quality = measureMotion(skeleton, chunks, clip.frames, plan, goalsOf(scene));
+    post({ type: "finished", id: request.id, boxes, ink, quality, motionMs });
   }
 
   async function answer(request: PlanRequest): Promise<void> {

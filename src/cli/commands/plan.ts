@@ -1,17 +1,14 @@
 /** `plan`: scenes into footsteps and whole motions. */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { joinMotions, type PlannedMotion, risen, standingAfter } from "../../core/blending/join.ts";
 import { type BlendLibrary, bakeLibrary } from "../../core/blending/library.ts";
-import { planStones } from "../../core/blending/plan-stones.ts";
 import { writeBvh } from "../../core/capture/bvh-write.ts";
-import { beginSynthesis, type SwingCache, synthesiseClip } from "../../core/motion/synthesise.ts";
+import type { SwingCache } from "../../core/motion/synthesise.ts";
+import { planWhole } from "../../core/motion/whole-scene.ts";
 import { measureMotion } from "../../core/quality/measure.ts";
 import { resultDocument } from "../../core/scene/result.ts";
 import { readScene } from "../../core/scene/schema.ts";
-import type { Scene } from "../../core/scene/types.ts";
 import { createSkeleton, type Skeleton } from "../../core/skeleton/skeleton.ts";
-import { planPaths, stylesOf } from "../../core/styles/plan-paths.ts";
-import { goalsOf, planScene } from "../../core/tasks/plan-scene.ts";
+import { goalsOf } from "../../core/tasks/plan-scene.ts";
 import { buildLibrary } from "../../core/templates/build-library.ts";
 import { decodeLibrary, encodeLibrary } from "../../core/templates/library-file.ts";
 import { retargetLibrary } from "../../core/templates/retarget-library.ts";
@@ -51,28 +48,6 @@ function once<T>(make: () => T): () => T {
   };
 }
 
-/** A scene's tasks or paths, then its stones; null when there is nothing before the stones. */
-function motionBefore(scene: Scene, character: Character, name: string): PlannedMotion | null {
-  const { skeleton } = character;
-  if (scene.paths.length > 0) {
-    const { plan, motion } = planPaths(scene, skeleton, styleFamilies(stylesOf(scene), skeleton));
-    return { plan, clip: { ...motion.clip, name }, contacts: motion.contacts };
-  }
-  if (scene.stones.length > 0 && scene.tasks.length === 0) return null;
-  const library = character.library();
-  const plan = planScene(scene, library, skeleton);
-  const synthesis = beginSynthesis(library, skeleton, plan, goalsOf(scene), character.cache);
-  const clip = synthesiseClip(synthesis, name);
-  return { plan, clip, contacts: synthesis.track.contacts };
-}
-
-function motionOf(scene: Scene, character: Character, name: string): PlannedMotion {
-  const before = motionBefore(scene, character, name);
-  if (before && scene.stones.length === 0) return before;
-  const stones = planStones(scene, character.blends(), before ? standingAfter(before) : null);
-  return before ? joinMotions(before, stones) : stones;
-}
-
 export const planCommand = {
   usage: "plan --scene F... --out F.json | DIR/ [--bvh F.bvh] [--library F]",
   run(args: string[]) {
@@ -88,9 +63,7 @@ export const planCommand = {
     const sources = once(cyclicSources);
     const kept = new Map<string, Character>();
     const rows = files.map((f, i) => {
-      const scene = risen(readScene(readText(f), f));
-      if (scene.paths.length > 0 && scene.tasks.length > 0)
-        throw new Error(`${f}: paths: a scene with paths has no tasks yet.`);
+      const scene = readScene(readText(f), f);
       const { height, proportions } = scene.character;
       const key = JSON.stringify([height, proportions]);
       const skeleton = createSkeleton(height, proportions);
@@ -101,7 +74,12 @@ export const planCommand = {
         cache: new Map(),
       };
       kept.set(key, character);
-      const { plan, clip, contacts } = motionOf(scene, character, f);
+      const { plan, clip, contacts } = planWhole(scene, skeleton, {
+        library: character.library,
+        families: (styles) => styleFamilies(styles, skeleton),
+        blends: character.blends,
+        cache: character.cache,
+      });
       const chunk = {
         first: 0,
         frames: clip.frames,

@@ -33,6 +33,7 @@ export function standingAfter({ plan, clip }: PlannedMotion): Standing {
 /** The second motion, which began where the first ends, after it. */
 export function joinMotions(a: PlannedMotion, b: PlannedMotion): PlannedMotion {
   const later = a.clip.frames / CLIP_RATE;
+  const tasks = a.plan.tasks.length;
   const joined = <T extends Float64Array | Uint8Array>(out: T, x: T, y: T): T => {
     out.set(x);
     out.set(y, x.length);
@@ -43,7 +44,32 @@ export function joinMotions(a: PlannedMotion, b: PlannedMotion): PlannedMotion {
       ...a.plan,
       steps: [
         ...a.plan.steps,
-        ...b.plan.steps.map((s) => ({ ...s, lift: s.lift + later, land: s.land + later })),
+        ...b.plan.steps.map((s) => ({
+          ...s,
+          task: s.task < 0 ? s.task : s.task + tasks,
+          lift: s.lift + later,
+          land: s.land + later,
+        })),
+      ],
+      // What is played is the joined motion: segments of the parts would say no more.
+      segments: [],
+      tasks: [
+        ...a.plan.tasks,
+        ...b.plan.tasks.map((t) => ({
+          ...t,
+          start: t.start + later,
+          contact: t.contact + later,
+          end: t.end + later,
+        })),
+      ],
+      candidates: [...a.plan.candidates, ...b.plan.candidates.map((c) => ({ ...c, task: c.task + tasks }))],
+      traces: [
+        ...a.plan.traces,
+        ...b.plan.traces.map((t) => ({
+          ...t,
+          task: t.task + tasks,
+          first: t.first + a.plan.steps.length,
+        })),
       ],
       duration: later + b.plan.duration,
       warnings: [...a.plan.warnings, ...b.plan.warnings],

@@ -14,6 +14,7 @@ import type { Foot } from "../steps/types.ts";
 import type { Library } from "../templates/types.ts";
 import { type DraftStep, type Feet, footPose, otherFoot, stanceBefore } from "./draft.ts";
 import { carriedAt } from "./locomotion.ts";
+import { pivotEnd } from "./pivots.ts";
 import { type Obstacle, obstacleDistance } from "./route.ts";
 import { footInside } from "./tidy.ts";
 
@@ -246,6 +247,38 @@ export function turningStep(
     }
   }
   return best ? draft(library, best, foot, toWorld(stance, best.to)) : null;
+}
+
+/**
+ * The capture's step that most nearly takes a foot from where it is to a footstep, of any kind but a pivot; null when there is
+ * none.
+ */
+export function closingStep(library: Library, feet: Feet, foot: Foot, at: GroundPose): DraftStep | null {
+  const stance = footPose(feet[otherFoot(foot)]);
+  const from = toLocal(stance, footPose(feet[foot]));
+  const to = toLocal(stance, at);
+  let best: Move | null = null;
+  let bestCost = Number.POSITIVE_INFINITY;
+  library.clips.forEach((source, clip) => {
+    source.steps.forEach((s, step) => {
+      if (s.foot !== foot || pivotEnd(s.category)) return;
+      const before = stanceBefore(source, step);
+      const there = footPose(before[otherFoot(foot)]);
+      const move: Move = {
+        clip,
+        step,
+        from: toLocal(there, footPose(before[foot])),
+        to: toLocal(there, footPose(s.to)),
+        turns: false,
+      };
+      const cost = apart(move.from, from) + 1.5 * apart(move.to, to);
+      if (cost < bestCost) {
+        bestCost = cost;
+        best = move;
+      }
+    });
+  });
+  return best ? draft(library, best, foot, at) : null;
 }
 
 /** How differently two poses face: with distance, facing the way there counts as well. */

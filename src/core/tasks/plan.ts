@@ -13,8 +13,9 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Foot, Footstep } from "../steps/types.ts";
 import { type EntryQuery, retrieveEntry, retrieveExit } from "../templates/retrieve.ts";
 import type { Library, Template } from "../templates/types.ts";
-import { approach, turningStep } from "./approach.ts";
+import { approach, closingStep, turningStep } from "./approach.ts";
 import { type DraftStep, type Feet, footPose, otherFoot } from "./draft.ts";
+import { closingOrder, goToOf, laidOn, standsAt } from "./go-to.ts";
 import { holdAtTask } from "./hold.ts";
 import type { Kept } from "./keep.ts";
 import { chooseWalk, layWalk, type Walks, type WalkWish, walksOf } from "./locomotion.ts";
@@ -38,6 +39,8 @@ export interface PlanInput {
   library: Library;
   skeleton: Skeleton;
   start: GroundPose;
+  /** Where the feet stand at first; left out: beside each other at the start. */
+  feet?: readonly [Footstep, Footstep] | null;
   /** Tasks still to be done, in order. */
   tasks: TaskGoal[];
   obstacles: Obstacle[];
@@ -72,7 +75,11 @@ interface Context {
 export function planTasks(input: PlanInput): Plan {
   const { library, skeleton, kept } = input;
   const walks = walksOf(library);
-  const feet = kept ? { ...kept.feet } : standingFeet(input.start, skeleton);
+  const feet: Feet = kept
+    ? { ...kept.feet }
+    : input.feet
+      ? { left: input.feet[0], right: input.feet[1] }
+      : standingFeet(input.start, skeleton);
   const timeline: Timeline = kept
     ? { steps: [...kept.steps], segments: [...kept.segments], cursor: kept.cursor }
     : { steps: [], segments: [], cursor: 0 };
@@ -137,6 +144,7 @@ function planTask(
 ): Place {
   const firstSegment = context.timeline.segments.length;
   if (task.category === "stand") {
+    if (task.feet) goTo(context, current, task, task.feet, index);
     holdAtTask(
       context.library,
       context.timeline,
@@ -222,16 +230,45 @@ function approachCost(library: Library, laid: Laid, template: Template, here: Gr
   return cost + (walkedInto ? 0 : 0.08) + 0.08 * arrival;
 }
 
-interface Entry {
-  template: Template;
-  /** Its steps, and the stance before them, laid in the task's frame. */
-  steps: DraftStep[];
+/** Walks to a stance that is given foot by foot and stands in it exactly. */
+function goTo(
+  context: Context,
+  current: Place,
+  task: TaskGoal,
+  feet: readonly [Footstep, Footstep],
+  index: number,
+): void {
+  const { library } = context;
+  const goal = goToOf(feet, context.feet, context.skeleton.legLength);
+  const here = midPose(context.feet.left, context.feet.right);
+  const route = findRoute(here, goal.aim, context.obstacles, CLEARANCE).points;
+  const aim: Aim = { ...goal, before: [], route };
+  if (groundDistance(here, midPose(feet[0], feet[1])) > library.enterRadius.stand)
+    planExit(context, current, task, aim, index, library.enterRadius.stand);
+  planLocomotion(context, aim, index);
+  for (const foot of closingOrder(goal)) {
+    const at = feet[foot === "left" ? 0 : 1];
+    if (standsAt(context.feet[foot], at)) continue;
+    const step = closingStep(library, context.feet, foot, at);
+    if (step) lay(context, laidOn(step, at), index, null);
+  }
+}
+
+/** What a walk is aimed at. */
+interface Aim {
+  /** Where both feet are when it ends, and the steps of the capture before. */
   stance: Feet;
   before: GroundPose[];
-  /** The foot that stands while its first step swings, and where. */
+  /** The foot that lands last, and where. */
   stanceFoot: Foot;
   aim: Footstep;
   route: GroundPoint[];
+}
+
+interface Entry extends Aim {
+  template: Template;
+  /** Its steps, laid in the task's frame. */
+  steps: DraftStep[];
   task: TaskGoal;
 }
 
@@ -312,7 +349,7 @@ function planExit(
   context: Context,
   current: Place,
   task: TaskGoal,
-  entry: Entry,
+  entry: Aim,
   index: number,
   radius: number,
 ): void {
@@ -388,7 +425,7 @@ const SHARP = 0.6;
 const MORE_TURN = 0.45;
 
 /** PlanLocomotionPhase: walking steps along the route, then the preparation of the entry. */
-function planLocomotion(context: Context, entry: Entry, index: number): void {
+function planLocomotion(context: Context, entry: Aim, index: number): void {
   const { walks, feet, library } = context;
   if (walks.list.length === 0) return;
   const length = walks.length;
@@ -449,7 +486,7 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
 }
 
 /** Enter Task Preparation: further steps where they are needed, and the last three re-optimised [TaskLoco §5.5]. */
-function prepareEntry(context: Context, entry: Entry, index: number, fresh: DraftStep[], before: Feet): void {
+function prepareEntry(context: Context, entry: Aim, index: number, fresh: DraftStep[], before: Feet): void {
   const { walks, feet } = context;
   const steps = approach(
     context.library,

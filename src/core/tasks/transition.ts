@@ -1,6 +1,7 @@
 /** Which templates a transition may use: queries, competition, and laying them in the world [TaskLoco §4.2]. */
 import { type GroundPose, toLocal, toWorld } from "../math/frame2.ts";
 import type { Effort, TaskCategory } from "../scene/task-types.ts";
+import type { Footstep } from "../steps/types.ts";
 import type { Library, Template } from "../templates/types.ts";
 import { type DraftStep, type Feet, footPose, otherFoot, stanceBefore, templateSteps } from "./draft.ts";
 import type { Candidate } from "./plan-types.ts";
@@ -101,4 +102,6 @@ export interface TaskGoal {
   height: number;
   duration: number | null;
   hand: "left" | "right";
+  /** For `stand` alone: the stance to walk to and stand in, left and right; else it stands where it is. */
+  feet?: readonly [Footstep, Footstep];
 }
