@@ -16,6 +16,9 @@ const STEPS = 8;
 
 const JOG: Partial<Pace> = { length: 0.8, time: 0.385, stance: 0.46, width: 0.08 };
 
+/** Between walking and jogging: blends of the two alone would shuffle. */
+const SLOW_JOG: Partial<Pace> = { length: 0.64, time: 0.39, stance: 0.48, width: 0.08 };
+
 /** Comfortable pace at a speed: length and time share the change, stance shortens [Grieve and Gear 1966]. */
 export function paceAt(speed: number): Partial<Pace> {
   const length = 0.635 * (speed / 1.15) ** 0.42;
@@ -146,6 +149,8 @@ export function cyclicScores(): Score[] {
     ...[0.28, -0.28].map((d, i) => drifting(`cycle-drift-${i + 3}`, 247 + i, 0.52, 0.09, d)),
     straight("cycle-jog", 206, JOG),
     ...[0.16, -0.16].map((d, i) => drifting(`cycle-jog-${i + 2}`, 249 + i, 0.8, 0.05, d, JOG)),
+    straight("cycle-jog-4", 209, SLOW_JOG),
+    ...[0.16, -0.16].map((d, i) => drifting(`cycle-jog-${i + 5}`, 251 + i, 0.64, 0.05, d, SLOW_JOG)),
     straight("cycle-run", 207, { length: 1.15, time: 0.375, stance: 0.37, width: 0.06 }),
     straight("cycle-run-2", 208, { length: 0.97, time: 0.378, stance: 0.4, width: 0.07 }),
     ...[1.1, -1.1, 2.2, -2.2].map((r, i) => curve(`cycle-curve-${i + 1}`, 211 + i, r)),

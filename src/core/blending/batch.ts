@@ -37,7 +37,7 @@ export const LAST_SIDE = 33;
 export const NEXT_LIFT = 34;
 /** The foot blocks. */
 export const FOOT = 36;
-export const FOOT_STATE = 32;
+export const FOOT_STATE = 36;
 export const STATE = FOOT + 2 * FOOT_STATE;
 
 /** In a foot block. A place is x, y, z, yaw, and the ground's normal x, z. */
@@ -57,6 +57,8 @@ export const PITCH = 21;
 export const F_NEXT = 22;
 /** The ankle's place and rotation wanted this frame: x, y, z, then xyzw, toe bend. */
 export const ANKLE = 23;
+/** Where the foot was to go last: x, z, yaw; its place may be short of it. */
+export const WANTED = 31;
 
 /** Queued footsteps a character: side, x, y, z, yaw, normal x, normal z, lift, land. */
 export const QUEUE = 8;

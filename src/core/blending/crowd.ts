@@ -42,6 +42,7 @@ import {
   TARGET,
   TO,
   WANT,
+  WANTED,
 } from "./batch.ts";
 import { type BlendLibrary, HIPS_AT } from "./library.ts";
 import { MIX } from "./mix.ts";
@@ -158,6 +159,9 @@ function stand(b: Batch, i: number, at: GroundPose & { y?: number }): void {
     s[f + PLACE + 1] = at.y ?? 0;
     s[f + PLACE + 2] = at.z + sign * (c * standFoot.z - n * standFoot.x);
     s[f + PLACE + 3] = at.yaw + sign * standFoot.yaw;
+    s[f + WANTED] = s[f + PLACE];
+    s[f + WANTED + 1] = s[f + PLACE + 2];
+    s[f + WANTED + 2] = s[f + PLACE + 3];
     s[f + F_LAND] = Number.NEGATIVE_INFINITY;
     s[f + F_NEXT] = Number.POSITIVE_INFINITY;
     s[f + STAY] = 0.7;
@@ -187,6 +191,7 @@ function adopt(
   stand(b, i, { ...middle, y: (feet[0].y + feet[1].y) / 2 });
   feet.forEach((p, side) => {
     s.set([p.x, p.y, p.z, p.yaw], o + FOOT + FOOT_STATE * side + PLACE);
+    s.set([p.x, p.z, p.yaw], o + FOOT + FOOT_STATE * side + WANTED);
   });
   const { old, pose } = b.scratch;
   for (let k = 0; k < HIPS_AT; k++) old[k] = rotations[k];

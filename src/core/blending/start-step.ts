@@ -29,6 +29,7 @@ import {
   TO,
   TO_V,
   WANT,
+  WANTED,
 } from "./batch.ts";
 import { leaveGround } from "./foot-track.ts";
 import type { BlendLibrary } from "./library.ts";
@@ -76,6 +77,14 @@ export function startStep(b: Batch, i: number, row: number, next: number): void 
   query.correction = b.options.correction;
   choice.located.triangle = b.triangle[2 * i + side];
   queryStep(query, mix, choice, library, rootWeights);
+  if (
+    choice.located.outside > 0 &&
+    Math.abs(query.from.x - s[f + WANTED]) + Math.abs(query.from.z - s[f + WANTED + 1]) > 1e-6
+  )
+    fromTrack(b, f, choice.located.outside);
+  s[f + WANTED] = query.target.x;
+  s[f + WANTED + 1] = query.target.z;
+  s[f + WANTED + 2] = query.target.yaw;
   b.triangle[2 * i + side] = choice.located.triangle;
   storeMix(b, 3 * i);
   storeMix(b, 3 * i + 1 + side);
@@ -103,6 +112,24 @@ export function startStep(b: Batch, i: number, row: number, next: number): void 
   s[o + NEXT_LIFT] = goesOn ? next : Number.POSITIVE_INFINITY;
   if (goesOn) walkOn(b, i, side, Math.max(next, lift + SHORTEST));
   else comeToRest(s, o, f, support, query.yawAfter, land);
+}
+
+/**
+ * A foot that missed its last footstep: the root's track may go by where it was to be, when that leaves the next footstep
+ * nearer to the hull. So a miss does not lead to another one two steps later.
+ */
+function fromTrack(b: Batch, f: number, outside: number): void {
+  const { query, mix, choice, rootWeights } = b.scratch;
+  const { x, z, yaw } = query.from;
+  query.from.x = b.state[f + WANTED];
+  query.from.z = b.state[f + WANTED + 1];
+  query.from.yaw = b.state[f + WANTED + 2];
+  queryStep(query, mix, choice, b.library, rootWeights);
+  if (choice.located.outside <= outside) return;
+  query.from.x = x;
+  query.from.z = z;
+  query.from.yaw = yaw;
+  queryStep(query, mix, choice, b.library, rootWeights);
 }
 
 /** x, y, z, yaw of a block as a place on the ground. */
