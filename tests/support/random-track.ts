@@ -72,8 +72,9 @@ export function randomTrack(
     const swing = column(SWING) * pace;
     const duration = column(DURATION) * pace;
     const before = Math.max(lands[0], lands[1]);
-    const land = k === 0 ? first + swing : before + duration;
-    const lift = Math.max(land - swing, lands[side] + 0.1);
+    // At whole frames, so that what is read at a landing is read in its instant.
+    const land = Math.round(60 * (k === 0 ? first + swing : before + duration)) / 60;
+    const lift = Math.round(60 * Math.max(land - swing, lands[side] + 0.1)) / 60;
     const past = k === 0 ? 0.15 / (swing + 0.15) : Math.max(-1, (land - before - swing) / (land - before));
     const [own, other] = [feet[side], feet[1 - side]];
     const yawBefore = lerpAngle(own.yaw, other.yaw, 0.5);
