@@ -63,6 +63,8 @@ export const F_NEXT = 22;
 export const ANKLE = 23;
 /** Where the foot was to go last: x, z, yaw; its place may be short of it. */
 export const WANTED = 31;
+/** Pitch with which the step under way lands. */
+export const LAND_PITCH = 34;
 
 /** Queued footsteps a character: side, x, y, z, yaw, normal x, normal z, lift, land. */
 export const QUEUE = 8;

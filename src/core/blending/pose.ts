@@ -146,7 +146,9 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
       s[f + ANKLE + 2] - positions[joint + 2],
     );
     // A smooth largest of both.
-    sink = Math.sqrt(Math.sqrt(sink ** 4 + need ** 4));
+    const a = sink * sink;
+    const c = need * need;
+    sink = Math.sqrt(Math.sqrt(a * a + c * c));
     if (side === landed) {
       const ankle = joint + 6;
       const dx = positions[ankle] - s[f + ANKLE];
