@@ -10,6 +10,9 @@ export const ICONS = {
   task: icon(
     svg`<circle cx="6.500" cy="9" r="4" /><path d="M6.500 8.900v.2M13.500 6.200L17 9l-3.500 2.800z" fill="currentColor" />`,
   ),
+  foot: icon(
+    svg`<path d="M6.500 9.500C5 5 6.500 2 9 2s4 3 2.800 7.500zM6.800 11.500h5c.300 2.500-.500 4.500-2.500 4.500s-2.800-2-2.500-4.500z" />`,
+  ),
   snap: icon(
     svg`<path d="M4.500 15V9a4.500 4.500 0 019 0v6h-3V9a1.500 1.500 0 00-3 0v6zM4.500 12h3M10.500 12h3" />`,
   ),

@@ -78,6 +78,8 @@ export interface FeetData {
   words: Record<StepCategory, string>;
   /** Index of the step under the pointer, -1 for none. */
   hover: number;
+  /** Indices of the steps that are selected. */
+  selected: readonly number[];
 }
 
 /** For each foot a toe bar over a heel bar, coloured by the step that brought the foot there. */
@@ -126,9 +128,14 @@ function plants(
       row === 0 && step
         ? `role="button" tabindex="-1" data-step="${step.index}" aria-label="${step.foot === "left" ? "Left" : "Right"}, ${d.words[step.category].toLowerCase()}, ${step.lift.toFixed(2)} to ${step.land.toFixed(2)} s"`
         : "";
-    const hovered = step !== null && step.index === d.hover;
+    const hovered = step !== null && (step.index === d.hover || d.selected.includes(step.index));
+    // The landing's edge is caught within 8 pixels, and drawn for what is selected.
+    const edge =
+      step && Math.abs(step.land - from / 60) < 0.2
+        ? `<rect data-edge="${step.index}" x="${px(a - 8)}" y="${px(top)}" width="14" height="${px(bar)}" fill="transparent" style="cursor:ew-resize"/>`
+        : "";
     out.push(
-      `<g ${named} opacity="${past ? 0.45 : 1}"><rect x="${px(a)}" y="${px(top)}" width="${px(w)}" height="${px(bar)}" rx="4" fill="${c.fill}" stroke="${hovered ? "var(--ink)" : "color-mix(in srgb, var(--ink) 55%, transparent)"}" stroke-width="${hovered ? 2 : 0.8}"/>${row === 0 && w >= 22 && step ? `<text class="bar-text" x="${px(a + w / 2)}" y="${px(top + bar - 3)}" text-anchor="middle" style="fill:${c.mark}">${c.code}</text>` : ""}</g>`,
+      `<g ${named} opacity="${past ? 0.45 : 1}"><rect x="${px(a)}" y="${px(top)}" width="${px(w)}" height="${px(bar)}" rx="4" fill="${c.fill}" stroke="${hovered ? "var(--ink)" : "color-mix(in srgb, var(--ink) 55%, transparent)"}" stroke-width="${hovered ? 2 : 0.8}"/>${row === 0 && w >= 22 && step ? `<text class="bar-text" x="${px(a + w / 2)}" y="${px(top + bar - 3)}" text-anchor="middle" style="fill:${c.mark}">${c.code}</text>` : ""}${edge}</g>`,
     );
     from = -1;
   }
