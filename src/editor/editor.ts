@@ -8,6 +8,7 @@ import { Stage } from "../view/stage.ts";
 import { ALL_FEATURES } from "./features/all.ts";
 import { Registry } from "./features/feature.ts";
 import { LayerHost } from "./layers/layer.ts";
+import { edges } from "./parts/edges.ts";
 import { helpSheet } from "./parts/help-sheet.ts";
 import { overlayChips } from "./parts/overlay.ts";
 import { panel } from "./parts/panel.ts";
@@ -35,6 +36,7 @@ export interface Places {
   panel: HTMLElement;
   timeline: HTMLElement;
   live: HTMLElement;
+  edges: HTMLElement;
   canvas: HTMLCanvasElement;
 }
 
@@ -60,9 +62,10 @@ export class Editor {
   constructor(
     private readonly places: Places,
     scene: Scene,
+    name: string,
     theme: EditorState["theme"],
   ) {
-    this.store = createEditorStore(scene, theme);
+    this.store = createEditorStore(scene, name, theme);
     this.stage = new Stage(places.canvas);
     this.layers = new LayerHost(this);
     this.markers = new Markers(this, places.viewport.querySelector(".overlay") as HTMLElement);
@@ -103,16 +106,18 @@ export class Editor {
       render(timeline(this), this.places.timeline);
       const chips = this.places.viewport.querySelector(".chips") as HTMLElement;
       render([toolRail(this), overlayChips(this)], chips);
+      edges(this, this.places.edges);
       helpSheet(this);
     });
   }
 
   private resize(): void {
     const box = this.places.viewport.getBoundingClientRect();
-    const narrow = window.innerWidth < 1200 && window.innerWidth >= 760;
-    this.stage.resize(box.width, box.height, { left: 56, top: 0, right: narrow ? 284 : 0, bottom: 0 });
+    const floats = window.innerWidth < 1200 && window.innerWidth >= 760;
+    const left = window.innerWidth < 760 ? 0 : 56;
+    this.stage.resize(box.width, box.height, { left, top: 0, right: floats ? 284 : 0, bottom: 0 });
     const tracks = this.places.timeline.getBoundingClientRect();
-    this.tracksSize = { width: Math.max(240, tracks.width - 24), height: Math.max(80, tracks.height - 54) };
+    this.tracksSize = { width: Math.max(240, tracks.width - 24), height: Math.max(60, tracks.height - 54) };
     this.redraw();
   }
 
@@ -202,6 +207,12 @@ export class Editor {
     window.clearTimeout(this.toastTimer);
     this.set({ toast: { text, undo, warns } });
     this.toastTimer = window.setTimeout(() => this.set({ toast: null }), 6000);
+  }
+
+  /** A sentence that is hovered or focused stays; it goes six seconds after. */
+  holdToast(held: boolean): void {
+    window.clearTimeout(this.toastTimer);
+    if (!held) this.toastTimer = window.setTimeout(() => this.set({ toast: null }), 6000);
   }
 
   fail(message: string): void {

@@ -36,6 +36,8 @@ export interface TaskBar {
   contact: number;
   end: number;
   selected: boolean;
+  /** Markup of its pictogram, 18 x 18, drawn with strokes; "" for none. */
+  shape: string;
 }
 
 /** Tasks as bars, arrows from one to the next. */
@@ -45,6 +47,7 @@ export function tasksSvg(tasks: readonly TaskBar[], x: TimeScale): string {
     const a = x(t.contact);
     const w = Math.max(10, x(t.end) - a);
     const next = tasks[i + 1];
+    const ink = t.selected ? "var(--on)" : "var(--ink)";
     if (next && x(next.contact) - (a + w) > 18) {
       const to = x(next.contact) - 5;
       out.push(
@@ -52,7 +55,7 @@ export function tasksSvg(tasks: readonly TaskBar[], x: TimeScale): string {
       );
     }
     out.push(
-      `<g role="button" tabindex="0" data-task="${safe(t.id)}" aria-label="${safe(t.word)}, ${t.contact.toFixed(2)} to ${t.end.toFixed(2)} s"><rect x="${px(a)}" y="2" width="${px(w)}" height="21" rx="6" fill="${t.selected ? "var(--ink)" : "var(--well)"}"/>${w > 46 ? `<text x="${px(a + 8)}" y="16" style="fill:${t.selected ? "var(--on)" : "var(--ink)"}">${safe(t.word)}</text>` : ""}</g>`,
+      `<g role="button" tabindex="0" data-task="${safe(t.id)}" aria-label="${safe(t.word)}, ${t.contact.toFixed(2)} to ${t.end.toFixed(2)} s"><rect x="${px(a)}" y="2" width="${px(w)}" height="21" rx="6" fill="${t.selected ? "var(--ink)" : "var(--well)"}"/>${w > 22 && t.shape ? `<g transform="translate(${px(a + 5)} 5.500) scale(0.8)" fill="none" stroke="${ink}" stroke-width="1.7" stroke-linecap="round" stroke-linejoin="round">${t.shape}</g>` : ""}${w > 58 ? `<text x="${px(a + 24)}" y="16.500" style="fill:${ink};font-weight:500;font-size:12px">${safe(t.word)}</text>` : ""}</g>`,
     );
   });
   return out.join("");

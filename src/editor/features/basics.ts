@@ -2,7 +2,6 @@
 
 import { parseScene } from "../../core/scene/schema.ts";
 import type { Editor } from "../editor.ts";
-import { EXAMPLES } from "../examples.ts";
 import { pictureExport } from "../formats/picture.ts";
 import { sceneExport, sceneImport } from "../formats/scene-json.ts";
 import type { KeyBinding } from "../keys.ts";
@@ -96,14 +95,6 @@ const keys: readonly KeyBinding[] = [
 ];
 
 const menu: readonly MenuEntry[] = [
-  ...EXAMPLES.map(
-    (x, i): MenuEntry => ({
-      menu: "scenes",
-      label: x.name,
-      order: i,
-      run: (e) => e.scene.replace(x.scene(), x.name),
-    }),
-  ),
   {
     menu: "scenes",
     label: "New, empty room",
@@ -122,4 +113,5 @@ export const basics: Feature = {
   exports: [sceneExport, pictureExport],
   keys,
   menu,
+  start: (e) => void e.files.openLink(),
 };

@@ -7,7 +7,7 @@ import { motionMissing } from "./motion-ready.ts";
 export const bvhExport: ExportFormat = {
   id: "bvh",
   label: "Motion, BVH at 60 Hz",
-  file: "motion.bvh",
+  file: ".bvh",
   type: "text/plain",
   order: 0,
   blocked: motionMissing,

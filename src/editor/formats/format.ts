@@ -5,7 +5,7 @@ export interface ExportFormat {
   id: string;
   /** As the menu shows it: "Motion, BVH at 60 Hz". */
   label: string;
-  /** File name with its ending. */
+  /** What follows the scene's name in the file's: ".bvh", "-footsteps.csv". */
   file: string;
   type: string;
   /** Place in the menu; groups are hundreds. */

@@ -6,7 +6,7 @@ import { motionMissing } from "./motion-ready.ts";
 export const resultExport: ExportFormat = {
   id: "result",
   label: "Footsteps, contacts, figures (JSON)",
-  file: "result.json",
+  file: "-result.json",
   type: "application/json",
   order: 100,
   blocked: motionMissing,

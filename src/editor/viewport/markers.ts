@@ -55,13 +55,23 @@ export class Markers {
         shown,
         (s) => key(s.thing.ref),
         (s) => this.marker(s.thing, s.index, s.dot, hasRef(selection, s.thing.ref)),
-      )}${this.tip(shown.map((s) => s.thing))}`,
+      )}${this.ghost()}${this.tip(shown.map((s) => s.thing))}`,
       this.overlay,
     );
   }
 
   private at(t: Thing): { x: number; y: number; visible: boolean } {
     return this.e.stage.project(t.position[0], Math.max(0.05, t.position[1]), t.position[2]);
+  }
+
+  /** Where a drag began, and the way from there. */
+  private ghost(): TemplateResult | typeof nothing {
+    const d = this.dragging;
+    if (d?.kind !== "move" || d.text === "") return nothing;
+    const from = this.at(d.from);
+    const now = this.now(d.from.ref);
+    const to = now ? this.at(now) : from;
+    return html`<svg class="way" aria-hidden="true"><line x1=${from.x} y1=${from.y} x2=${to.x} y2=${to.y} /><circle cx=${from.x} cy=${from.y} r="11" /></svg>`;
   }
 
   private tip(things: readonly Thing[]): TemplateResult | typeof nothing {
@@ -182,7 +192,8 @@ export class Markers {
         const to = e.snapped([x + point[0] - origin[0], z + point[1] - origin[1]], p.event);
         const dx = hold(to[0]) - x;
         const dz = hold(to[1]) - z;
-        d.text = `${Math.hypot(dx, dz).toFixed(2)} m`;
+        const facing = d.from.yaw === null ? "" : `, facing ${Math.round((d.from.yaw * 180) / Math.PI)}°`;
+        d.text = `${Math.hypot(dx, dz).toFixed(2)} m${facing}`.replace("-", "\u2212");
         e.edit((scene) => this.placed(scene, d.along, dx, dz, null));
       },
       up: stop,
