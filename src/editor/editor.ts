@@ -17,6 +17,7 @@ import { toolRail } from "./parts/tool-rail.ts";
 import { topBar } from "./parts/top-bar.ts";
 import { CharacterSession } from "./session/character-session.ts";
 import { Files } from "./session/files.ts";
+import { LongWork } from "./session/long-work.ts";
 import { PlanSession } from "./session/plan-session.ts";
 import { Playback } from "./session/playback.ts";
 import { SceneSession } from "./session/scene-session.ts";
@@ -49,6 +50,7 @@ export class Editor {
   readonly playback: Playback;
   readonly character: CharacterSession;
   readonly files: Files;
+  readonly work: LongWork;
   readonly layers: LayerHost;
   readonly tools: ToolHost;
   readonly markers: Markers;
@@ -76,6 +78,7 @@ export class Editor {
     this.plan = new PlanSession(this);
     this.character = new CharacterSession(this);
     this.files = new Files(this);
+    this.work = new LongWork(this);
     this.store.subscribe(() => this.redraw());
     document.documentElement.dataset.theme = theme;
     this.stage.setTheme(theme);

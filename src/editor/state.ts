@@ -42,6 +42,8 @@ export interface EditorState {
   sheet: "peek" | "half" | "full";
   toast: { text: string; undo: boolean; warns: boolean } | null;
   status: string | null;
+  /** Work that takes longer: what, how far (0 to 1), and a fact; null for none. */
+  progress: { name: string; share: number; fact: string } | null;
   hoverStep: number;
   error: string | null;
 }
@@ -75,6 +77,7 @@ export function createEditorStore(scene: Scene, name: string, theme: Theme) {
     help: false,
     sheet: "half",
     toast: null,
+    progress: null,
     status: "Loading captures",
     hoverStep: -1,
     error: null,

@@ -67,7 +67,7 @@ export class Stage {
   onDraw: () => void = () => undefined;
 
   /** @throws Error when the browser has no WebGL 2. */
-  constructor(private readonly canvas: HTMLCanvasElement) {
+  constructor(readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.shadowMap.enabled = true;
@@ -321,12 +321,15 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Draws at once and in full, for those who read the canvas in the same turn. */
+  drawNow(): void {
+    this.drawFull();
+  }
+
   /** What is drawn, as a PNG. @throws Error when the browser gives none. */
   picture(): Promise<Blob> {
     // Drawn and read in the same turn: the buffer is not kept afterwards.
-    this.setDetail(false);
-    this.full = true;
-    this.renderer.render(this.scene, this.camera);
+    this.drawNow();
     return new Promise((resolve, reject) => {
       this.canvas.toBlob((blob) => {
         if (blob) resolve(blob);

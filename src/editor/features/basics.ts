@@ -4,6 +4,7 @@ import { parseScene } from "../../core/scene/schema.ts";
 import type { Editor } from "../editor.ts";
 import { pictureExport } from "../formats/picture.ts";
 import { sceneExport, sceneImport } from "../formats/scene-json.ts";
+import { videoExport } from "../formats/video.ts";
 import type { KeyBinding } from "../keys.ts";
 import { characterLayer } from "../layers/character.ts";
 import type { MenuEntry } from "../menus.ts";
@@ -110,7 +111,7 @@ export const basics: Feature = {
   tabs: [sceneTab],
   layers: [characterLayer],
   imports: [sceneImport],
-  exports: [sceneExport, pictureExport],
+  exports: [sceneExport, pictureExport, videoExport],
   keys,
   menu,
   start: (e) => void e.files.openLink(),

@@ -14,7 +14,8 @@ export interface ExportFormat {
   shortcut?: string;
   /** Why it cannot be made now, as one sentence; null when it can. */
   blocked?(e: Editor): string | null;
-  make(e: Editor): string | Blob | Promise<string | Blob>;
+  /** @returns null when the user gave it up. @throws Error with what is wrong. */
+  make(e: Editor): string | Blob | Promise<string | Blob | null>;
 }
 
 export interface ImportFormat {

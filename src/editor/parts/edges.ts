@@ -55,7 +55,7 @@ function separator(e: Editor, edge: Edge): TemplateResult {
     ev.preventDefault();
     ev.stopPropagation();
   };
-  return html`<div class="edge ${edge.name}" role="separator" tabindex="0" aria-orientation=${across ? "vertical" : "horizontal"} aria-label="Size of the ${edge.name}" aria-valuenow=${Math.round(size)} aria-valuemin="0" aria-valuemax=${edge.most} title="Drag to resize, double-click to fold" @pointerdown=${drag} @keydown=${key} @dblclick=${() => resize(e, edge, size === 0 ? edge.usual : 0)}></div>`;
+  return html`<div class="edge of-${edge.name}" role="separator" tabindex="0" aria-orientation=${across ? "vertical" : "horizontal"} aria-label="Size of the ${edge.name}" aria-valuenow=${Math.round(size)} aria-valuemin="0" aria-valuemax=${edge.most} title="Drag to resize, double-click to fold" @pointerdown=${drag} @keydown=${key} @dblclick=${() => resize(e, edge, size === 0 ? edge.usual : 0)}></div>`;
 }
 
 const SHEET = ["peek", "half", "full"] as const;

@@ -30,6 +30,11 @@ export function overlayChips(e: Editor): TemplateResult {
     <div class="chip legend">${legendRows(e)}</div>
     ${s.status ? html`<div class="chip loading" role="status">${s.status}</div>` : nothing}
     ${
+      s.progress
+        ? html`<div class="progress" role="group" aria-label=${s.progress.name}><div><b>${s.progress.name}</b><span>${s.progress.fact}</span></div><progress max="1" value=${s.progress.share} aria-label=${s.progress.name}></progress><button class="plain" @click=${() => e.work.cancel()}>Cancel</button></div>`
+        : nothing
+    }
+    ${
       s.toast
         ? html`<div class="toast" role="status" @pointerenter=${() => e.holdToast(true)} @pointerleave=${() => e.holdToast(false)} @focusin=${() => e.holdToast(true)} @focusout=${() => e.holdToast(false)}>
           ${s.toast.warns ? ICONS.warning : ICONS.tick}<span>${s.toast.text}</span>

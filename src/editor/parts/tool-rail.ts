@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../editor.ts";
 import { ICONS } from "../icons.ts";
+import { exportSwitches } from "./export-switches.ts";
 import { menuRows } from "./menu-rows.ts";
 import { legendRows } from "./overlay.ts";
 
@@ -43,6 +44,6 @@ function more(e: Editor): TemplateResult {
     ${act(s.theme === "light" ? "Dark theme" : "Light theme", () => e.toggleTheme())}
     ${act("Keys and help", () => e.set({ help: true }))}
     <hr />
-    ${menuRows(e.registry.exports, (f) => void e.files.save(f))}
+    ${exportSwitches(e)}${menuRows(e.registry.exports, (f) => void e.files.save(f))}
   </div>`;
 }

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../editor.ts";
 import { ICONS } from "../icons.ts";
+import { exportSwitches } from "./export-switches.ts";
 import { menuRows } from "./menu-rows.ts";
 import { openSceneMenu, sceneMenu } from "./scene-menu.ts";
 
@@ -29,7 +30,7 @@ export function topBar(e: Editor): TemplateResult {
     <button class="button wide" aria-haspopup="menu" aria-expanded=${s.menu === "export"} @click=${() => e.setMenu("export")}>Export</button>
     ${
       s.menu === "export"
-        ? html`<div class="menu export" role="menu">${menuRows(e.registry.exports, (f) => void e.files.save(f))}</div>`
+        ? html`<div class="menu export" role="menu">${exportSwitches(e)}${menuRows(e.registry.exports, (f) => void e.files.save(f))}</div>`
         : nothing
     }
     <button class="button primary" @click=${() => void e.files.share()}>${ICONS.share}Share</button>

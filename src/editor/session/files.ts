@@ -35,7 +35,8 @@ export class Files {
       return;
     }
     try {
-      download(this.named(format.file), await format.make(this.e), format.type);
+      const content = await format.make(this.e);
+      if (content !== null) download(this.named(format.file), content, format.type);
     } catch (error) {
       this.e.fail(`${format.file}: ${error instanceof Error ? error.message : String(error)}`);
     }
