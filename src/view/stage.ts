@@ -120,7 +120,9 @@ export class Stage {
         )
       )
         continue;
-      this.props.add(createProp(p));
+      const prop = createProp(p);
+      prop.userData.id = p.id;
+      this.props.add(prop);
     }
     for (const [id, o] of this.boxes) {
       if (!lifted.some((t) => t.id === id)) {
@@ -271,6 +273,13 @@ export class Stage {
   levelPoint(x: number, y: number, height: number): [number, number] | null {
     const hit = this.ray(x, y).ray.intersectPlane(new Plane(new Vector3(0, 1, 0), -height), new Vector3());
     return hit && hit.distanceTo(this.camera.position) < 40 ? [hit.x, hit.z] : null;
+  }
+
+  /** Id of the furniture that a ray meets first; null for none. */
+  propOn(ray: Raycaster): string | null {
+    let o: Object3D | null = ray.intersectObjects(this.props.children, true)[0]?.object ?? null;
+    while (o && typeof o.userData.id !== "string") o = o.parent;
+    return o ? (o.userData.id as string) : null;
   }
 
   /** Index of the footprint that a ray meets first; -1 for none. */

@@ -217,3 +217,17 @@ export function releaseFootsteps(
   const edits = scene.edits.filter((e) => !steps.some((s) => s.task === e.task && s.step === e.step));
   return edits.length === scene.edits.length ? scene : { ...scene, edits };
 }
+
+/** Furniture changed in place: where it stands, which way, how large. */
+export function changeProp(
+  scene: Scene,
+  id: string,
+  change: Partial<Pick<SceneProp, "position" | "yaw" | "size">>,
+): Scene {
+  return { ...scene, props: scene.props.map((p) => (p.id === id ? { ...p, ...change } : p)) };
+}
+
+/** Furniture taken away. */
+export function removeProps(scene: Scene, ids: readonly string[]): Scene {
+  return { ...scene, props: scene.props.filter((p) => !ids.includes(p.id)) };
+}

@@ -2,7 +2,8 @@
 import { basics } from "./basics.ts";
 import type { Feature } from "./feature.ts";
 import { footsteps } from "./footsteps.ts";
+import { furniture } from "./furniture.ts";
 import { paths } from "./paths.ts";
 import { tasks } from "./tasks.ts";
 
-export const ALL_FEATURES: readonly Feature[] = [basics, tasks, footsteps, paths];
+export const ALL_FEATURES: readonly Feature[] = [basics, furniture, tasks, footsteps, paths];

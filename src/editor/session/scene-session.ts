@@ -10,6 +10,8 @@ import { saveScene } from "./storage.ts";
 /** Milliseconds without a change before the scene is kept. */
 const SAVE_AFTER = 500;
 
+const same = (a: Scene, b: Scene): boolean => JSON.stringify(a) === JSON.stringify(b);
+
 export class SceneSession {
   private readonly history: History;
   private gesturing = false;
@@ -38,7 +40,8 @@ export class SceneSession {
   /** One change of the scene by a command; planned at once. What the schema refuses is not done, and said. */
   edit(change: (scene: Scene, c: typeof commands) => Scene): boolean {
     const scene = change(this.history.scene, commands);
-    if (scene === this.history.scene) return false;
+    // What comes to the same is no entry: undo always does something.
+    if (scene === this.history.scene || same(scene, this.history.scene)) return false;
     try {
       parseScene(scene);
     } catch (error) {
