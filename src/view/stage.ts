@@ -28,6 +28,7 @@ import type { Scene } from "../core/scene/types.ts";
 import type { Skeleton } from "../core/skeleton/skeleton.ts";
 import type { CharacterMesh } from "./character/build-mesh.ts";
 import { Figure } from "./character/figure.ts";
+import type { Guest } from "./character/guest.ts";
 import { type Footprint, FootprintLayer, type FootprintMode } from "./footprints.ts";
 import { FrameBudget } from "./frame-budget.ts";
 import { PathLines } from "./path-lines.ts";
@@ -52,6 +53,7 @@ export class Stage {
   private readonly paths = new PathLines();
   private readonly footprints = new FootprintLayer();
   private figure: Figure | null = null;
+  private guest: Guest | null = null;
   private readonly props = new Group();
   private readonly taskMarks = new Group();
   private readonly boxes = new Map<string, Object3D>();
@@ -180,7 +182,17 @@ export class Stage {
     }
     this.figure = new Figure(skeleton, mesh);
     this.figure.setTheme(this.theme);
+    this.figure.group.visible = this.guest === null;
     this.scene.add(this.figure.group);
+    this.invalidate();
+  }
+
+  /** A character from a file instead of our own; null for our own again. */
+  setGuest(guest: Guest | null): void {
+    if (this.guest) this.scene.remove(this.guest.group);
+    this.guest = guest;
+    if (guest) this.scene.add(guest.group);
+    if (this.figure) this.figure.group.visible = guest === null;
     this.invalidate();
   }
 
@@ -190,6 +202,7 @@ export class Stage {
 
   setPose(root: ArrayLike<number>, r: number, rotations: ArrayLike<number>, o: number): void {
     this.figure?.setPose(root, r, rotations, o);
+    this.guest?.setPose(root, r, rotations, o);
     this.invalidate();
   }
 

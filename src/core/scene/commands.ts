@@ -153,6 +153,11 @@ export function setCharacter(scene: Scene, height: number, leg: number): Scene {
   };
 }
 
+/** The character's file by name; null for the plain one. */
+export function setModel(scene: Scene, model: string | null): Scene {
+  return { ...scene, character: { ...scene.character, model } };
+}
+
 /** Adds a path of two points at least, last in the order. */
 export function addPath(
   scene: Scene,
