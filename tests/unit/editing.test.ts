@@ -6,6 +6,7 @@ import { copyThings, pasteThings, readFragment } from "../../src/core/scene/clip
 import { defaultScene } from "../../src/core/scene/default-scene.ts";
 import { parseScene } from "../../src/core/scene/schema.ts";
 import type { Editor } from "../../src/editor/editor.ts";
+import { EXAMPLES } from "../../src/editor/examples.ts";
 import { allKeys, chord } from "../../src/editor/keys.ts";
 import { readNumber } from "../../src/editor/parts/number-field.ts";
 import { ref } from "../../src/editor/selection.ts";
@@ -150,6 +151,17 @@ describe("one history for everything", () => {
     expect(editor.edit((s, c) => c.changeTask(s, "write", { duration: 900 }))).toBe(false);
     expect(text(editor)).toBe(before);
     expect(said.join()).toContain("tasks[0].duration: at most 600");
+  });
+});
+
+describe("examples", () => {
+  it("are scenes without a mistake, each under a name of its own", () => {
+    expect(new Set(EXAMPLES.map((x) => x.name)).size).toBe(EXAMPLES.length);
+    for (const x of EXAMPLES) {
+      const scene = x.scene();
+      expect(parseScene(scene)).toEqual(scene);
+      expect(scene.order.length + (scene.crowd ? 1 : 0)).toBeGreaterThan(0);
+    }
   });
 });
 
