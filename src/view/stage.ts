@@ -5,12 +5,15 @@
  */
 import {
   BufferGeometry,
+  CircleGeometry,
   Float32BufferAttribute,
   Group,
   Line,
   LineBasicMaterial,
   LineDashedMaterial,
   LineLoop,
+  Mesh,
+  MeshBasicMaterial,
   NeutralToneMapping,
   type Object3D,
   PerspectiveCamera,
@@ -170,6 +173,15 @@ export class Stage {
         new LineBasicMaterial({ color: ink, transparent: true, opacity: selected.includes(t.id) ? 1 : 0.45 }),
       );
       ring.position.set(t.position[0], 0.006, t.position[2]);
+      if (selected.includes(t.id)) {
+        const disc = new Mesh(
+          new CircleGeometry(0.3, 48).rotateX(-Math.PI / 2),
+          new MeshBasicMaterial({ color: ink, transparent: true, opacity: 0.1, depthWrite: false }),
+        );
+        disc.position.set(t.position[0], 0.003, t.position[2]);
+        disc.renderOrder = 1;
+        this.taskMarks.add(disc);
+      }
       this.taskMarks.add(stem, ring);
     }
     this.invalidate();
