@@ -8,9 +8,10 @@ import { planStones, playTrack } from "../../src/core/blending/plan-stones.ts";
 import { createWalker } from "../../src/core/blending/walker.ts";
 import { wrapAngle } from "../../src/core/math/angle.ts";
 import { createRandom } from "../../src/core/math/random.ts";
-import { measureMotion } from "../../src/core/quality/measure.ts";
+import { measureMotion, motionPoints } from "../../src/core/quality/measure.ts";
 import { parseScene } from "../../src/core/scene/schema.ts";
 import { pillarScene, riverScene } from "../../src/core/scene/stone-examples.ts";
+import { groundHeight, groundNormal } from "../../src/core/scene/terrain.ts";
 import type { Scene } from "../../src/core/scene/types.ts";
 import { forwardKinematics } from "../../src/core/skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
@@ -205,6 +206,44 @@ describe("stones in scenes", () => {
       expect(q.popping ?? 99).toBeLessThan(1.5);
       expect(q.missedPlants).toBe(0);
     }
+  });
+
+  it("on a slope the soles lie in it and stay where they are", () => {
+    const terrain = { kind: "slope", angle: 0.17, yaw: 0.3 } as const;
+    const stones = Array.from({ length: 9 }, (_, k) => {
+      const x = 0.3 * 0.5 * k + (k % 2 === 0 ? 0.08 : -0.08);
+      const z = 0.5 * (k + 0.7);
+      return { id: `s${k}`, position: [x, groundHeight(terrain, x, z), z], yaw: 0.3 };
+    });
+    const { plan, clip, contacts } = planStones(parseScene({ version: 1, stones, terrain }), library);
+    expect(plan.warnings).toEqual([]);
+    const chunk = {
+      first: 0,
+      frames: clip.frames,
+      root: Float32Array.from(clip.root),
+      rotations: Float32Array.from(clip.rotations),
+      contacts,
+    };
+    const { soles } = motionPoints(skeleton, [chunk], clip.frames);
+    const [nx, nz] = groundNormal(terrain, 0, 0);
+    const ny = Math.sqrt(1 - nx * nx - nz * nz);
+    let over = 0;
+    let slid = 0;
+    let flat = 0;
+    for (let f = 1; f < clip.frames; f++)
+      for (let side = 0; side < 2; side++) {
+        if (((contacts[f] >> (2 * side)) & 3) !== 3 || ((contacts[f - 1] >> (2 * side)) & 3) !== 3) continue;
+        flat++;
+        // Heel and ball: distance to the plane, and from the frame before.
+        for (const k of [0, 3]) {
+          const a = 9 * (2 * f + side) + k;
+          over = Math.max(over, Math.abs(nx * soles[a] + ny * soles[a + 1] + nz * soles[a + 2]));
+          slid = Math.max(slid, Math.hypot(soles[a] - soles[a - 18], soles[a + 2] - soles[a - 16]));
+        }
+      }
+    expect(flat).toBeGreaterThan(200);
+    expect(over).toBeLessThan(0.004);
+    expect(slid).toBeLessThan(0.001);
   });
 
   it("wanted times are kept to a frame", () => {
