@@ -141,7 +141,7 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
   const rise = spot[1] - s[f + LEAVE + 1];
   // Up early, down late: over the edge of a step or a stone.
   const v = rise > 0 ? Math.min(1, u / 0.75) : Math.max(0, (u - 0.25) / 0.75);
-  const over = u * (1 - u) * Math.abs(rise);
+  const over = 4 * u * u * (1 - u) * (1 - u) * Math.abs(rise);
   const bend = swing[4] + toeOff;
   const ground = s[f + PLACE + 1] + share * (s[f + TARGET + 1] - s[f + PLACE + 1]);
   const up = s[f + LEAVE + 1] + easedShare(v) * rise + over + swing[1];
