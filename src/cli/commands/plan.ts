@@ -1,6 +1,7 @@
 /** `plan`: scenes into footsteps and whole motions. */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { type BlendLibrary, bakeLibrary } from "../../core/blending/library.ts";
+import type { CyclicSource } from "../../core/blending/types.ts";
 import { writeBvh } from "../../core/capture/bvh-write.ts";
 import type { SwingCache } from "../../core/motion/synthesise.ts";
 import { planWhole } from "../../core/motion/whole-scene.ts";
@@ -9,14 +10,14 @@ import { resultDocument } from "../../core/scene/result.ts";
 import { readScene } from "../../core/scene/schema.ts";
 import { createSkeleton, type Skeleton } from "../../core/skeleton/skeleton.ts";
 import { goalsOf } from "../../core/tasks/plan-scene.ts";
-import { buildLibrary } from "../../core/templates/build-library.ts";
+import { buildLibrary, prepareClip } from "../../core/templates/build-library.ts";
 import { decodeLibrary, encodeLibrary } from "../../core/templates/library-file.ts";
 import { retargetLibrary } from "../../core/templates/retarget-library.ts";
 import type { Library } from "../../core/templates/types.ts";
 import { cyclicSources } from "../../studio/blend-library.ts";
 import { styleFamilies } from "../../studio/style-families.ts";
-import { needed, one, outputs, readOptions } from "../args.ts";
-import { readText } from "../read.ts";
+import { baseName, needed, one, outputs, readOptions } from "../args.ts";
+import { readCapture, readText } from "../read.ts";
 import { studioCaptures } from "./library.ts";
 
 /** Where the shipped library is kept once it has been made. */
@@ -48,10 +49,21 @@ function once<T>(make: () => T): () => T {
   };
 }
 
+/** The clips that ship with a user's own: one of the same name replaces ours. */
+function withOwnClips(files: readonly string[]): CyclicSource[] {
+  const own = files.map((f): CyclicSource => {
+    const { clip } = readCapture(f);
+    const name = baseName(f);
+    return { name, clip, steps: prepareClip({ name, clip, tasks: [] }).steps };
+  });
+  const names = new Set(own.map((s) => s.name));
+  return [...cyclicSources().filter((s) => !names.has(s.name)), ...own];
+}
+
 export const planCommand = {
-  usage: "plan --scene F... --out F.json | DIR/ [--bvh F.bvh] [--library F]",
+  usage: "plan --scene F... --out F.json | DIR/ [--bvh F.bvh] [--library F] [--cycles F.bvh...]",
   run(args: string[]) {
-    const o = readOptions(args, { scene: "many", out: "one", bvh: "one", library: "one" });
+    const o = readOptions(args, { scene: "many", out: "one", bvh: "one", library: "one", cycles: "many" });
     needed(o, "scene");
     const files = o.values.get("scene") ?? [];
     const out = needed(o, "out");
@@ -60,7 +72,7 @@ export const planCommand = {
     const to = outputs(files, out, "json");
     const library = one(o, "library");
     const base = once(() => (library ? decodeLibrary(readFileSync(library)) : shippedLibrary()));
-    const sources = once(cyclicSources);
+    const sources = once(() => withOwnClips(o.values.get("cycles") ?? []));
     const kept = new Map<string, Character>();
     const rows = files.map((f, i) => {
       const scene = readScene(readText(f), f);

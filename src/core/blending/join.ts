@@ -2,11 +2,15 @@
 import type { Clip } from "../capture/clip.ts";
 import { CLIP_RATE } from "../capture/clip.ts";
 import type { Scene, SceneTask } from "../scene/types.ts";
-import { JOINT_COUNT } from "../skeleton/joints.ts";
+import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
+import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import type { Footstep } from "../steps/types.ts";
 import { orderedTasks } from "../tasks/plan-scene.ts";
 import type { Plan } from "../tasks/plan-types.ts";
 import type { Standing } from "./plan-stones.ts";
+
+/** An ankle farther from its footstep has not reached it: a foot that rests off flat is a few millimetres off; metres. */
+const MISSED = 0.012;
 
 /** A plan with its motion. */
 export interface PlannedMotion {
@@ -15,14 +19,24 @@ export interface PlannedMotion {
   contacts: Uint8Array;
 }
 
-/** Where a motion leaves the character: its last footsteps and its last frame. */
+/**
+ * Where a motion leaves the character: its last footsteps and its last frame. A footstep that was not reached is where the foot
+ * has come to stand instead.
+ */
 export function standingAfter({ plan, clip }: PlannedMotion): Standing {
-  const last = (foot: "left" | "right"): Footstep => {
-    const s = plan.steps.findLast((p) => p.foot === foot) ?? plan.start[foot === "left" ? 0 : 1];
-    return { foot, x: s.x, y: s.y, z: s.z, yaw: s.yaw };
-  };
   const f = clip.frames - 1;
   const q = 4 * JOINT_COUNT;
+  const places = new Float64Array(3 * JOINT_COUNT);
+  const world = new Float64Array(q);
+  forwardKinematics(places, world, clip.skeleton, clip.root, 3 * f, clip.rotations, q * f);
+  const last = (foot: "left" | "right"): Footstep => {
+    const s = plan.steps.findLast((p) => p.foot === foot) ?? plan.start[foot === "left" ? 0 : 1];
+    const ankle = 3 * (foot === "left" ? J.leftFoot : J.rightFoot);
+    const missed = Math.hypot(places[ankle] - s.x, places[ankle + 2] - s.z) > MISSED;
+    return missed
+      ? { foot, x: places[ankle], y: s.y, z: places[ankle + 2], yaw: s.yaw }
+      : { foot, x: s.x, y: s.y, z: s.z, yaw: s.yaw };
+  };
   return {
     feet: [last("left"), last("right")],
     root: clip.root.slice(3 * f, 3 * f + 3),

@@ -135,6 +135,8 @@ function standOnGround(crowd: BlendCrowd, terrain: Terrain): void {
     s[p + 4] = nx;
     s[p + 5] = nz;
   }
+  // Shown so from the first frame on.
+  crowd.update(0);
 }
 
 function footOf(crowd: BlendCrowd, side: 0 | 1): Footstep {

@@ -6,6 +6,7 @@ import type { Scene, SceneTask } from "../scene/types.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Footstep } from "../steps/types.ts";
 import type { Library } from "../templates/types.ts";
+import { applyEdits, feetWished } from "./edits.ts";
 import { keepBegun } from "./keep.ts";
 import { planTasks } from "./plan.ts";
 import type { Plan } from "./plan-types.ts";
@@ -104,7 +105,12 @@ export function planScene(
       );
     }
   });
+  const wished = feetWished(
+    scene.edits,
+    goals.map((g) => g.id),
+  );
   let plan: Plan | null = null;
+  let begun = 0;
   if (playing && playing.now > 0) {
     const kept = keepBegun(playing.plan, playing.now);
     const unchanged = kept.done.every(
@@ -116,15 +122,18 @@ export function planScene(
         ),
     );
     if (unchanged && kept.done.length < goals.length) {
+      begun = kept.steps.length;
       plan = planTasks({
         ...common,
+        feetWished: wished,
         kept,
         keptTask: goals[kept.done.length - 1] ?? null,
         tasks: goals.slice(kept.done.length),
       });
     }
   }
-  plan ??= planTasks({ ...common, kept: null, keptTask: null, tasks: goals });
+  plan ??= planTasks({ ...common, feetWished: wished, kept: null, keptTask: null, tasks: goals });
+  applyEdits(plan, scene.edits, skeleton, begun);
   plan.warnings.unshift(...warnings);
   return plan;
 }

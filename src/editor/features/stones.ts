@@ -1,5 +1,4 @@
 /** Stones: laid on the floor and stepped on; the ground; walking by hand [Barycentric]. */
-import { pillarScene, riverScene } from "../../core/scene/stone-examples.ts";
 import { stoneLayer } from "../layers/stones.ts";
 import { stonesTab } from "../panels/stones.ts";
 import { stoneThings } from "../things/stones.ts";
@@ -17,9 +16,5 @@ export const stones: Feature = {
     { keys: [], shown: "Q", label: "Stone: either foot, left, right", group: "Selected" },
     { keys: [], shown: "Page Up, Page Down", label: "Lift a stone, lower it", group: "Selected" },
     { keys: [], shown: "W A S D, Q E", label: "Walk by hand, with its tool", group: "Tools" },
-  ],
-  menu: [
-    { menu: "scenes", label: "River", order: 20, run: (e) => e.scene.replace(riverScene(), "River") },
-    { menu: "scenes", label: "Pillars", order: 21, run: (e) => e.scene.replace(pillarScene(), "Pillars") },
   ],
 };
