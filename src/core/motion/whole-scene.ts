@@ -4,13 +4,14 @@
  */
 import { joinMotions, type PlannedMotion, standingAfter } from "../blending/join.ts";
 import type { BlendLibrary } from "../blending/library.ts";
-import { planStones, type Standing } from "../blending/plan-stones.ts";
-import { midPose } from "../math/frame2.ts";
-import type { Scene, SceneTask } from "../scene/types.ts";
+import { orderedStones, planStones, type Standing } from "../blending/plan-stones.ts";
+import { bearing, groundDistance, midPose } from "../math/frame2.ts";
+import type { Scene, SceneStone, SceneTask } from "../scene/types.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Footstep } from "../steps/types.ts";
 import type { StrideFamily } from "../styles/family.ts";
 import { planPaths, stylesOf } from "../styles/plan-paths.ts";
+import { standingFeet } from "../tasks/plan.ts";
 import { goalsOf, planScene } from "../tasks/plan-scene.ts";
 import type { Library } from "../templates/types.ts";
 import { blendIn } from "./blend-in.ts";
@@ -92,7 +93,10 @@ export function planWhole(
     const part = partOf(scene, run.ids);
     const standing = whole ? standingAfter(whole) : null;
     if (run.kind === "stones") {
-      const stones = planStones(part, sources.blends(), standing, { lambda4: options.lambda4 ?? 0 });
+      const near = standing ? beforeStones(standing, orderedStones(part), skeleton) : null;
+      if (near) add(doTasks(partOf(scene, []), skeleton, sources, standing, near, options));
+      const from = near && whole ? standingAfter(whole) : standing;
+      const stones = planStones(part, sources.blends(), from, { lambda4: options.lambda4 ?? 0 });
       add({ ...stones, boxes: [], ink: [] });
       return;
     }
@@ -110,6 +114,30 @@ export function planWhole(
     add(walk);
   });
   return whole as unknown as WholeMotion;
+}
+
+/** From farther than a step the first stone is walked to; so far before it one stands, metres at a leg of 0.93 m. */
+const STEP_OFF = 0.9;
+const BEFORE = 0.45;
+
+/** Where to stand before the first of some stones that is too far to step on; null where it is not. */
+function beforeStones(
+  standing: Standing,
+  stones: readonly SceneStone[],
+  skeleton: Skeleton,
+): [Footstep, Footstep] | null {
+  const scale = skeleton.legLength / 0.93;
+  const at = (s: SceneStone) => ({ x: s.position[0], z: s.position[2] });
+  const here = midPose(standing.feet[0], standing.feet[1]);
+  const first = stones[0] && at(stones[0]);
+  if (!first || groundDistance(here, first) < STEP_OFF * scale) return null;
+  const yaw = stones[1] ? bearing(first, at(stones[1])) : bearing(here, first);
+  const d = BEFORE * scale;
+  const feet = standingFeet(
+    { x: first.x - d * Math.sin(yaw), z: first.z - d * Math.cos(yaw), yaw },
+    skeleton,
+  );
+  return [feet.left, feet.right];
 }
 
 /** Tasks from a stance, and at last a walk to another. */
