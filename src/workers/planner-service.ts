@@ -42,7 +42,7 @@ interface Playing {
   plan: Plan;
   goals: TaskGoal[];
   key: string;
-  shift: Float64Array | null;
+  shown: { shift: Float64Array; drop: Float64Array } | null;
 }
 
 /** Sends one answer; what is in the second list may be transferred. */
@@ -183,8 +183,8 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
         : null;
     const plan = planScene(scene, library, skeleton, { playing: earlier, trace: true });
     const planMs = performance.now() - begun;
-    const shown = playing?.shift ?? null;
-    const now: Playing = { plan, goals, key, shift: shown };
+    const shown = playing?.shown ?? null;
+    const now: Playing = { plan, goals, key, shown };
     played.delete(request.client);
     played.set(request.client, now);
     trim(played, 4 * MOST_KEPT);
@@ -196,9 +196,9 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
       return;
     }
     const started = performance.now();
-    const kept = earlier && shown ? { shift: shown, until: Math.round(earlier.now * 60) } : null;
+    const kept = earlier && shown ? { ...shown, until: Math.round(earlier.now * 60) } : null;
     const synthesis = beginSynthesis(library, skeleton, plan, goals, cache, kept);
-    now.shift = synthesis.track.shift;
+    now.shown = { shift: synthesis.track.shift, drop: synthesis.track.drop };
     const chunks: MotionChunk[] = [];
     for (let first = 0; first < synthesis.frames; first += slice) {
       const chunk = synthesiseChunk(synthesis, first, slice);
