@@ -9,11 +9,14 @@
  */
 import { wrapAngle } from "../math/angle.ts";
 import { type GroundPose, toLocal, toWorld } from "../math/frame2.ts";
+import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Foot } from "../steps/types.ts";
 import type { Library } from "../templates/types.ts";
 import { type DraftStep, type Feet, footPose, otherFoot, stanceBefore } from "./draft.ts";
 import { carriedAt } from "./locomotion.ts";
+import { pivotEnd } from "./pivots.ts";
 import { type Obstacle, obstacleDistance } from "./route.ts";
+import { footInside } from "./tidy.ts";
 
 /** A capture's step seen from the standing foot: where its foot comes from and goes to. */
 interface Move {
@@ -35,7 +38,7 @@ const DEPTH = 9;
 /** Costs: a step; warping by half a metre, twice that; a place in furniture. */
 const STEP = 0.2;
 const WARP = 0.7;
-const BLOCKED = 0.6;
+const BLOCKED = 1.5;
 /** Furniture farther than this from both ends is not looked at, metres. */
 const NEAR = 2.5;
 /** A step that turns, beside one that walks. */
@@ -140,6 +143,7 @@ export interface ApproachGoal {
  * Walking and turning steps from the present feet to a stance; none where it is best taken as it is.
  *
  * @param last the foot that landed last; null when both have stood for a while.
+ * @param wished the foot that the user asks for as step `k` of the approach, where there is one.
  */
 export function approach(
   library: Library,
@@ -148,6 +152,8 @@ export function approach(
   goal: ApproachGoal,
   carrying: boolean,
   obstacles: readonly Obstacle[],
+  skeleton: Skeleton,
+  wished: (k: number) => Foot | undefined = () => undefined,
 ): DraftStep[] {
   const all = movesOf(library);
   const moves = carrying && all.carrying.left.length > 4 ? all.carrying : all.free;
@@ -165,15 +171,20 @@ export function approach(
     move: null,
   };
   const wrong = last === swing ? 0.35 : 0;
+  // A foot asked for on the way is not got round by ending before it.
+  let least = 0;
+  for (let k = 0; k < DEPTH - 1; k++) if (wished(k) !== undefined) least = k + 1;
   let best = start;
-  let bestTotal = wrong + remaining(start.feet, goal.stanceFoot, aim, there);
+  let bestTotal =
+    least > 0 ? Number.POSITIVE_INFINITY : wrong + remaining(start.feet, goal.stanceFoot, aim, there);
   let beam = [start];
   for (let depth = 1; depth <= DEPTH && beam.length > 0; depth++) {
     const children: Child[] = [];
     let worst = bestTotal;
     for (const parent of beam) {
       for (const foot of ["left", "right"] as const) {
-        if (parent.last === foot) continue;
+        const asked = wished(depth - 1);
+        if (asked === undefined ? parent.last === foot : foot !== asked) continue;
         const stance = parent.feet[otherFoot(foot)];
         const own = toLocal(stance, parent.feet[foot]);
         const target = foot === goal.stanceFoot ? aim : there;
@@ -188,12 +199,8 @@ export function approach(
           const z = stance.z - s * move.to.x + c * move.to.z;
           const d = Math.hypot(x - target.x, z - target.z);
           if (cost + WAY * d >= worst) continue;
-          for (const o of near)
-            if (obstacleDistance(o, x, z) < 0.08) {
-              cost += BLOCKED;
-              break;
-            }
           const to = { x, z, yaw: wrapAngle(stance.yaw + move.to.yaw) };
+          if (near.length > 0 && footInside(near, to, skeleton)) cost += BLOCKED;
           const score = cost + WAY * d + 0.12 * facing(to, target, d);
           if (score >= worst) continue;
           insert(children, { parent, move, foot, to, cost, score });
@@ -209,7 +216,7 @@ export function approach(
       move,
     }));
     for (const node of beam) {
-      if (node.last !== goal.stanceFoot) continue;
+      if (node.last !== goal.stanceFoot || depth < least) continue;
       const total = node.cost + remaining(node.feet, goal.stanceFoot, aim, there);
       if (total < bestTotal) {
         bestTotal = total;
@@ -247,6 +254,38 @@ export function turningStep(
     }
   }
   return best ? draft(library, best, foot, toWorld(stance, best.to)) : null;
+}
+
+/**
+ * The capture's step that most nearly takes a foot from where it is to a footstep, of any kind but a pivot; null when there is
+ * none.
+ */
+export function closingStep(library: Library, feet: Feet, foot: Foot, at: GroundPose): DraftStep | null {
+  const stance = footPose(feet[otherFoot(foot)]);
+  const from = toLocal(stance, footPose(feet[foot]));
+  const to = toLocal(stance, at);
+  let best: Move | null = null;
+  let bestCost = Number.POSITIVE_INFINITY;
+  library.clips.forEach((source, clip) => {
+    source.steps.forEach((s, step) => {
+      if (s.foot !== foot || pivotEnd(s.category)) return;
+      const before = stanceBefore(source, step);
+      const there = footPose(before[otherFoot(foot)]);
+      const move: Move = {
+        clip,
+        step,
+        from: toLocal(there, footPose(before[foot])),
+        to: toLocal(there, footPose(s.to)),
+        turns: false,
+      };
+      const cost = apart(move.from, from) + 1.5 * apart(move.to, to);
+      if (cost < bestCost) {
+        bestCost = cost;
+        best = move;
+      }
+    });
+  });
+  return best ? draft(library, best, foot, at) : null;
 }
 
 /** How differently two poses face: with distance, facing the way there counts as well. */
