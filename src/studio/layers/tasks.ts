@@ -118,7 +118,7 @@ function write(
     layer.hands.point[side].set([s / n, up / n, c / n], 3 * f);
     body.chestPitch[f] += w * (3 - 6 * high) * DEG;
     body.headPitch[f] += w * (-12 * high + 2) * DEG;
-    body.chestRoll[f] += w * (side === 1 ? 1 : -1) * 1.5 * DEG;
+    body.chestRoll[f] += w * (side === 1 ? 1 : -1) * 0.9 * DEG;
     body.arms[side].out[f] += 0.3 * w * 20 * DEG;
   }
 }
