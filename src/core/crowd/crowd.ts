@@ -4,7 +4,7 @@
  * neither stalls nor depends on the machine: beyond the limit plans are kept, or walkers stop in place.
  */
 import { clearOfWalls } from "./bodies.ts";
-import { giveWay, STUCK_AFTER } from "./give-way.ts";
+import { createWish, giveWay, STUCK_AFTER, type Wish } from "./give-way.ts";
 import { createGround, type Ground } from "./ground.ts";
 import { costOfStep, seeOthers, startJudging } from "./judge.ts";
 import { createStop } from "./locomotion.ts";
@@ -23,7 +23,7 @@ const ARRIVED_BOX = 0.15;
 const NODES = 70;
 const STUCK_NODES = 260;
 /** Steps taken from one plan before the next search, and how much dearer the rest may have become, J/kg. */
-const KEPT = 2;
+const KEPT = 0;
 const DEARER = 0.1;
 /** Nodes that a tick may expand: at least, and for each agent. */
 const TICK_NODES = 1200;
@@ -60,6 +60,7 @@ export interface Crowd {
   options: CrowdOptions;
   planner: Planner;
   people: Person[];
+  wishes: Wish[];
   /** STATE numbers each: where the step under way leads. */
   states: Float64Array;
   /** 1 + PLAN steps each: under way, then planned; and the states after the planned ones. */
@@ -110,6 +111,7 @@ export function createCrowd(world: CrowdWorld, options: CrowdOptions = {}): Crow
     options,
     planner: createPlanner(),
     people: [],
+    wishes: world.agents.map(createWish),
     states: new Float64Array(n * STATE),
     steps: new Float64Array(n * (1 + PLAN) * STEP),
     planStates: new Float64Array(n * PLAN * STATE),
@@ -274,7 +276,7 @@ function searchOf(crowd: Crowd, i: number, way: LongWay, stuck: boolean, time: n
 }
 
 /** Sees to the way: found, carried on where a walker has strayed from it, given up for a while by who is stuck. */
-function wayOf(crowd: Crowd, i: number, time: number): { way: LongWay; stuck: boolean } {
+function wayOf(crowd: Crowd, i: number, time: number): LongWay {
   const { ground, states } = crowd;
   const person = crowd.people[i];
   const goal = crowd.world.agents[i].goals[person.goal];
@@ -295,19 +297,40 @@ function wayOf(crowd: Crowd, i: number, time: number): { way: LongWay; stuck: bo
     person.progress = local[2];
     person.progressAt = time;
   }
-  const waited = time - person.progressAt;
-  if (waited <= STUCK_AFTER) return { way: person.way, stuck: false };
-  return { way: giveWay(i, waited, x, z, local[0], local[1]) ?? person.way, stuck: true };
+  const dx = local[0] - x;
+  const dz = local[1] - z;
+  const d = Math.sqrt(dx * dx + dz * dz);
+  if (d > 1e-6) {
+    crowd.wishes[i].aimX = dx / d;
+    crowd.wishes[i].aimZ = dz / d;
+  }
+  return person.way;
 }
 
 /** The next step of a walker whose step has ended: from the plan where it still holds, else searched for. */
 function takeStep(crowd: Crowd, i: number, time: number): void {
   const { planner, statistics, states, tick } = crowd;
   const person = crowd.people[i];
-  const { way, stuck } = wayOf(crowd, i, time);
+  const way = wayOf(crowd, i, time);
   const count = look(crowd.neighbours, i, states, i * STATE, person.gait);
   seeOthers(planner.others, crowd.sight, crowd.neighbours.seen, count, tick);
-  const search = searchOf(crowd, i, way, stuck, time);
+  const waited = time - person.progressAt;
+  const s = i * STATE;
+  const aside = giveWay(
+    crowd.ground,
+    crowd.wishes,
+    crowd.neighbours,
+    count,
+    i,
+    time,
+    waited,
+    states[s + S.x],
+    states[s + S.z],
+  );
+  // Who made room begins to wait anew.
+  if (aside !== null) person.progress = Number.POSITIVE_INFINITY;
+  const stuck = waited > STUCK_AFTER || aside !== null;
+  const search = searchOf(crowd, i, aside ?? way, stuck, time);
   const spent = search.most <= 0;
   if (
     (spent || (person.kept < KEPT && !stuck && !crowd.options.greedy)) &&
