@@ -1,9 +1,9 @@
-/** The discretised actions of a state [Footsteps §4, generating discretised footstep actions], each made into a step and judged. */
+/** The discretised actions of a state [Footsteps §4, generating discretised footstep actions], each made into a step. */
 import { arcTangent, cosine, sine } from "./elementary.ts";
 import { surfaceCost } from "./ground.ts";
-import { createFootstep, createShift, createStart, createStop, twistTorso } from "./locomotion.ts";
-import { judgeNext, keepNext, type Planner, type Search } from "./planner.ts";
-import { P, S, STATE, STEP } from "./state.ts";
+import { createFootstep, createShift, createStart, createStop } from "./locomotion.ts";
+import { keepNext, type Planner, type Search } from "./planner.ts";
+import { S, STATE, STEP } from "./state.ts";
 
 const degrees = (values: number[]): number[] => values.map((d) => (d * Math.PI) / 180);
 /** Turns of the parabola from the motion: from almost straight to almost a U-turn. */
@@ -48,16 +48,12 @@ export function expand(p: Planner, search: Search, node: number, gx: number, gz:
   );
 }
 
-/** Judges the step just made and keeps it when it is free. */
-function keep(p: Planner, search: Search, node: number, energy: number, more: number): boolean {
-  if (energy < 0) return false;
-  const extra = judgeNext(p, search, node);
-  if (extra < 0) return false;
+/** Keeps the step just made unless it is impossible. */
+function keep(p: Planner, search: Search, node: number, energy: number, twist: number): void {
+  if (energy < 0) return;
   const o = p.nodes * STATE;
-  const ground =
-    search.ground.surface === null ? 1 : surfaceCost(search.ground, p.states[o], p.states[o + 1]);
-  keepNext(p, search, node, energy * ground + more, extra);
-  return true;
+  const floor = search.ground.surface === null ? 1 : surfaceCost(search.ground, p.states[o], p.states[o + 1]);
+  keepNext(p, search, node, energy * floor, twist);
 }
 
 function expandWalk(
@@ -103,19 +99,9 @@ function expandWalk(
         v === 0 ? gait.quick[foot] : gait.slow[foot],
         gait,
       );
-      if (energy < 0 || keep(p, search, node, energy, 0) || v < PACES.length - 1) continue;
-      squeeze(p, search, node, energy);
+      keep(p, search, node, energy, v === PACES.length - 1 ? SQUEEZE_COST : 0);
     }
   }
-}
-
-/** The step just made once more, sideways through a gap: the shoulder first that is nearer to where it faces. */
-function squeeze(p: Planner, search: Search, node: number, energy: number): void {
-  const q = p.nodes * STEP;
-  const left =
-    p.steps[q + P.fromX] * p.steps[q + P.headZ] - p.steps[q + P.fromZ] * p.steps[q + P.headX] >= 0 ? 1 : -1;
-  twistTorso(p.states, p.nodes * STATE, p.steps, q, left);
-  keep(p, search, node, energy, SQUEEZE_COST);
 }
 
 function expandRest(p: Planner, search: Search, node: number, o: number, gx: number, gz: number): void {
@@ -147,8 +133,7 @@ function expandRest(p: Planner, search: Search, node: number, o: number, gx: num
         gait.slow[0],
         gait,
       );
-      if (energy < 0 || keep(p, search, node, energy, 0) || v < PACES.length - 1) continue;
-      squeeze(p, search, node, energy);
+      keep(p, search, node, energy, v === PACES.length - 1 ? SQUEEZE_COST : 0);
     }
   }
   // What the feet may turn towards the goal while they shift.
@@ -176,7 +161,7 @@ function expandRest(p: Planner, search: Search, node: number, o: number, gx: num
       SHIFT_TIME,
       gait,
     );
-    keep(p, search, node, energy, far > 0 ? SQUEEZE_COST : 0);
+    keep(p, search, node, energy < 0 || far === 0 ? energy : energy + SQUEEZE_COST, 0);
   };
   for (let t = 0; t < SHIFTS.length; t++) {
     const dx = SHIFT_COS[t] * gx + SHIFT_SIN[t] * gz;

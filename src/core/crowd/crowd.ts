@@ -4,7 +4,7 @@
  * neither stalls nor depends on the machine: beyond the limit plans are kept, or walkers stop in place.
  */
 import { clearOfWalls } from "./bodies.ts";
-import { createWish, giveWay, STUCK_AFTER, type Wish } from "./give-way.ts";
+import { createWish, giveWay, goesFirst, STUCK_AFTER, type Wish } from "./give-way.ts";
 import { createGround, type Ground } from "./ground.ts";
 import { costOfStep, seeOthers, startJudging } from "./judge.ts";
 import { createStop } from "./locomotion.ts";
@@ -23,11 +23,14 @@ const ARRIVED_BOX = 0.15;
 const NODES = 70;
 const STUCK_NODES = 260;
 /** Steps taken from one plan before the next search, and how much dearer the rest may have become, J/kg. */
-const KEPT = 0;
+const KEPT = 1;
 const DEARER = 0.1;
 /** Nodes that a tick may expand: at least, and for each agent. */
 const TICK_NODES = 1200;
 const TICK_NODES_EACH = 7;
+/** What nearness counts to one who goes first on the same way, and to one who comes after. */
+const AHEAD = 1.5;
+const BEHIND = 0.5;
 /** Cells of long ways that a tick may look at. */
 const TICK_CELLS = 1500;
 
@@ -86,7 +89,7 @@ export interface CrowdStatistics {
   kept: number;
   putOff: number;
   expanded: number;
-  tried: number;
+  judgements: number;
   generated: number;
   worstExpanded: number;
   worstGenerated: number;
@@ -126,7 +129,7 @@ export function createCrowd(world: CrowdWorld, options: CrowdOptions = {}): Crow
       kept: 0,
       putOff: 0,
       expanded: 0,
-      tried: 0,
+      judgements: 0,
       generated: 0,
       worstExpanded: 0,
       worstGenerated: 0,
@@ -316,6 +319,16 @@ function takeStep(crowd: Crowd, i: number, time: number): void {
   seeOthers(planner.others, crowd.sight, crowd.neighbours.seen, count, tick);
   const waited = time - person.progressAt;
   const s = i * STATE;
+  for (let k = 0; k < planner.others.count; k++) {
+    const other = crowd.neighbours.seen[k];
+    const dx = crowd.neighbours.places[2 * other] - states[s + S.x];
+    const dz = crowd.neighbours.places[2 * other + 1] - states[s + S.z];
+    planner.others.weight[k] = goesFirst(crowd.wishes, i, other, dx, dz)
+      ? AHEAD
+      : goesFirst(crowd.wishes, other, i, -dx, -dz)
+        ? BEHIND
+        : 1;
+  }
   const aside = giveWay(
     crowd.ground,
     crowd.wishes,
@@ -357,7 +370,7 @@ function takeStep(crowd: Crowd, i: number, time: number): void {
   } else commit(crowd, i);
   statistics.plans++;
   statistics.expanded += planner.expanded;
-  statistics.tried += planner.tried;
+  statistics.judgements += planner.judgements;
   statistics.generated += planner.generated;
   statistics.worstExpanded = Math.max(statistics.worstExpanded, planner.expanded);
   statistics.worstGenerated = Math.max(statistics.worstGenerated, planner.generated);

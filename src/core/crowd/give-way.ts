@@ -32,7 +32,14 @@ export interface Wish {
   roomUntil: number;
 }
 
-export const createWish = (): Wish => ({ aimX: 0, aimZ: 0, roomX: 0, roomZ: 0, roomUntil: -1 });
+export const createWish = (): Wish => ({
+  aimX: 0,
+  aimZ: 0,
+  roomX: 0,
+  roomZ: 0,
+  roomUntil: -1,
+  jammed: false,
+});
 
 const room: LongWay = createStraightWay(0, 0);
 
@@ -59,7 +66,10 @@ export function giveWay(
   z: number,
 ): LongWay | null {
   const wish = wishes[agent];
-  if (time < wish.roomUntil && (time < wish.roomUntil - CHOICE / 2 || opponent(wishes, neighbours, count, agent, x, z) >= 0)) {
+  if (
+    time < wish.roomUntil &&
+    (time < wish.roomUntil - CHOICE / 2 || opponent(wishes, neighbours, count, agent, x, z) >= 0)
+  ) {
     room.goalX = wish.roomX;
     room.goalZ = wish.roomZ;
     return room;
@@ -71,7 +81,8 @@ export function giveWay(
     const mine = hash(agent, turn);
     const theirs = hash(facing, turn);
     if (mine > theirs || (mine === theirs && agent > facing)) return null;
-  } else if (waited < STUCK_AFTER || hash(agent, Math.floor((waited - STUCK_AFTER) / CHOICE)) % 3 !== 0) return null;
+  } else if (waited < STUCK_AFTER || hash(agent, Math.floor((waited - STUCK_AFTER) / CHOICE)) % 3 !== 0)
+    return null;
   findRoom(ground, wishes, neighbours, count, agent, facing, x, z);
   wish.roomUntil = time + CHOICE;
   room.goalX = wish.roomX;
@@ -99,6 +110,24 @@ function opponent(
     if (-(dx * wishes[k].aimX + dz * wishes[k].aimZ) > 0.4 * d) return k;
   }
   return -1;
+}
+
+/**
+ * Whether one walker goes before another that wants the same way: the one that is farther along it. Of two, never both.
+ *
+ * @param dx, dz from the walker to the other.
+ */
+export function goesFirst(
+  wishes: readonly Wish[],
+  agent: number,
+  other: number,
+  dx: number,
+  dz: number,
+): boolean {
+  const a = wishes[agent];
+  const b = wishes[other];
+  if (a.aimX * b.aimX + a.aimZ * b.aimZ < 0) return false;
+  return dx * (a.aimX + b.aimX) + dz * (a.aimZ + b.aimZ) > 0;
 }
 
 /** Notes the best place to make room at: free of walls and others, and off the other's way. */

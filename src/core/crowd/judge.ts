@@ -37,6 +37,8 @@ export interface Others {
   boundBox: Float64Array;
   told: Float64Array;
   toldBox: Float64Array;
+  /** What nearness to each counts: more to those who go first. */
+  weight: Float64Array;
   /** Nearest gap now, to tell who overlaps from the start. */
   now: Float64Array;
 }
@@ -47,6 +49,7 @@ export const createOthers = (): Others => ({
   boundBox: new Float64Array(MOST_OTHERS * 4),
   told: new Float64Array(MOST_OTHERS * SAMPLES * POSE),
   toldBox: new Float64Array(MOST_OTHERS * WINDOWS * 4),
+  weight: new Float64Array(MOST_OTHERS).fill(1),
   now: new Float64Array(MOST_OTHERS),
 });
 
@@ -245,10 +248,11 @@ function nearness(
         const o = (i * SAMPLES + k) * POSE;
         const dx = told[o] - mine[m];
         const dz = told[o + 1] - mine[m + 1];
-        if (dx * dx + dz * dz > near * near) continue;
+        const d2 = dx * dx + dz * dz;
+        if (d2 > near * near) continue;
         const gap = bodyGap(mine, m, told, o, SPACE);
         if (gap >= SPACE) continue;
-        if (gap >= MARGIN) cost += SPACE_COST * (1 - gap / SPACE);
+        if (gap >= MARGIN) cost += SPACE_COST * others.weight[i] * (1 - gap / SPACE);
         else {
           const sure = 1 - UNSURE * k * SAMPLE;
           cost += TOUCH_COST * (sure > 0.2 ? sure : 0.2);

@@ -9,6 +9,7 @@
 import { expand } from "./actions.ts";
 import type { Ground } from "./ground.ts";
 import { costOfStep, createOthers, type Others, startJudging } from "./judge.ts";
+import { twistTorso } from "./locomotion.ts";
 import { ahead, type LongWay } from "./long-way.ts";
 import { P, S, STATE, STEP } from "./state.ts";
 import type { Gait } from "./types.ts";
@@ -31,6 +32,9 @@ export interface Planner {
   g: Float64Array;
   h: Float64Array;
   f: Float64Array;
+  /** Whether a node's step has been judged; energy that a twisted torso would add where it is not free, 0 for never. */
+  judged: Uint8Array;
+  twist: Float64Array;
   nodes: number;
   heap: Int32Array;
   open: number;
@@ -39,9 +43,9 @@ export interface Planner {
   path: Int32Array;
   pathLength: number;
   expanded: number;
-  /** Actions tried, and nodes made of those that were free. */
-  tried: number;
+  /** Nodes made, and steps judged. */
   generated: number;
+  judgements: number;
 }
 
 export const createPlanner = (): Planner => ({
@@ -52,6 +56,8 @@ export const createPlanner = (): Planner => ({
   g: new Float64Array(MOST_NODES),
   h: new Float64Array(MOST_NODES),
   f: new Float64Array(MOST_NODES),
+  judged: new Uint8Array(MOST_NODES),
+  twist: new Float64Array(MOST_NODES),
   nodes: 0,
   heap: new Int32Array(MOST_NODES),
   open: 0,
@@ -59,8 +65,8 @@ export const createPlanner = (): Planner => ({
   path: new Int32Array(64),
   pathLength: 0,
   expanded: 0,
-  tried: 0,
   generated: 0,
+  judgements: 0,
 });
 
 export interface Search {
@@ -90,7 +96,7 @@ export function energyPerMetre(gait: Gait, speed: number): number {
   return (gait.power * time + 0.5 * (speed * speed - kept * kept)) / length;
 }
 
-const next = new Float64Array(3);
+const place = new Float64Array(3);
 
 /**
  * Searches from the state at `from` in `start`, among the others that were noted before; the path is left in the planner.
@@ -102,23 +108,25 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
   search.time = start[from + S.time];
   for (let k = 0; k < STATE; k++) p.states[k] = start[from + k];
   startJudging(p.others, start, from);
-  ahead(next, search.ground, search.way, start[from], start[from + 1]);
+  ahead(place, search.ground, search.way, start[from], start[from + 1]);
   p.parent[0] = -1;
   p.depth[0] = 0;
   p.g[0] = 0;
-  p.h[0] = perMetre * next[2];
+  p.h[0] = perMetre * place[2];
   p.f[0] = p.h[0];
   p.heap[0] = 0;
   p.nodes = 1;
   p.open = 1;
   p.expanded = 0;
-  p.tried = 0;
   p.generated = 0;
+  p.judgements = 0;
+  p.judged[0] = 1;
   let goal = -1;
   let bestWorth = Number.POSITIVE_INFINITY;
   while (p.open > 0) {
     const node = takeBest(p);
     const o = node * STATE;
+    if (p.judged[node] === 0 && !judge(p, search, node)) continue;
     if (node > 0) {
       const worth = p.h[node] + SPENT * p.g[node];
       if (worth < bestWorth) {
@@ -132,9 +140,9 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
     }
     if (p.expanded >= search.most || p.nodes > MOST_NODES - MOST_CHILDREN) break;
     p.expanded++;
-    ahead(next, search.ground, search.way, p.states[o], p.states[o + 1]);
-    const gx = next[0] - p.states[o];
-    const gz = next[1] - p.states[o + 1];
+    ahead(place, search.ground, search.way, p.states[o], p.states[o + 1]);
+    const gx = place[0] - p.states[o];
+    const gz = place[1] - p.states[o + 1];
     const gl = Math.sqrt(gx * gx + gz * gz);
     if (gl > 1e-6) expand(p, search, node, gx / gl, gz / gl);
     else expand(p, search, node, p.states[o + S.faceX], p.states[o + S.faceZ]);
@@ -148,33 +156,68 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
   return true;
 }
 
-/** Looks at the step made in the next free node; its extra cost, or -1 when it is not free. */
-export function judgeNext(p: Planner, search: Search, node: number): number {
-  p.tried++;
-  return costOfStep(p.others, p.steps, p.nodes * STEP, p.depth[node] === 0, search);
+/**
+ * Judges a node's step, which is put off until the node is the best one open: nearness only adds to a cost, so the order is the
+ * same as if all had been judged at once, and most never are.
+ *
+ * @returns whether the node may be looked at now; else it was dropped, or put back at what it costs.
+ */
+function judge(p: Planner, search: Search, node: number): boolean {
+  const q = node * STEP;
+  const first = p.parent[node] === 0;
+  p.judged[node] = 1;
+  p.judgements++;
+  let extra = costOfStep(p.others, p.steps, q, first, search);
+  if (extra < 0 && p.twist[node] > 0) {
+    // Once more sideways: the shoulder first that is nearer to where it faces.
+    const left =
+      p.steps[q + P.fromX] * p.steps[q + P.headZ] - p.steps[q + P.fromZ] * p.steps[q + P.headX] >= 0 ? 1 : -1;
+    twistTorso(p.states, node * STATE, p.steps, q, left);
+    p.judgements++;
+    extra = costOfStep(p.others, p.steps, q, first, search);
+    if (extra >= 0) p.g[node] += p.twist[node];
+    else p.f[node] = Number.POSITIVE_INFINITY;
+  }
+  if (extra < 0) return false;
+  p.steps[q + P.nearness] = extra;
+  p.g[node] += extra;
+  const f = p.g[node] + p.h[node];
+  if (f <= p.f[node]) return true;
+  p.f[node] = f;
+  putOpen(p, node);
+  return false;
 }
 
-/** Keeps the next free node as a child: `cost` is its step's energy, `extra` what nearness adds. */
-export function keepNext(p: Planner, search: Search, node: number, cost: number, extra: number): void {
-  const { nodes, heap, f } = p;
-  p.steps[nodes * STEP + P.nearness] = extra;
-  p.parent[nodes] = node;
-  p.depth[nodes] = p.depth[node] + 1;
-  p.g[nodes] = p.g[node] + cost + extra;
-  const o = nodes * STATE;
-  ahead(next, search.ground, search.way, p.states[o], p.states[o + 1]);
-  p.h[nodes] = search.perMetre * next[2];
-  f[nodes] = p.g[nodes] + p.h[nodes];
+/**
+ * Keeps the step made in the next free node as a child, not judged yet.
+ *
+ * @param cost its energy. @param twist what going sideways would add where the plain step is not free; 0 for never.
+ */
+export function keepNext(p: Planner, search: Search, node: number, cost: number, twist: number): void {
+  const next = p.nodes++;
+  p.generated++;
+  p.judged[next] = 0;
+  p.twist[next] = twist;
+  p.parent[next] = node;
+  p.depth[next] = p.depth[node] + 1;
+  p.g[next] = p.g[node] + cost;
+  const o = next * STATE;
+  ahead(place, search.ground, search.way, p.states[o], p.states[o + 1]);
+  p.h[next] = search.perMetre * place[2];
+  p.f[next] = p.g[next] + p.h[next];
+  putOpen(p, next);
+}
+
+function putOpen(p: Planner, node: number): void {
+  const { heap, f } = p;
   let i = p.open++;
   while (i > 0) {
     const q = (i - 1) >> 1;
-    if (f[heap[q]] <= f[nodes]) break;
+    if (f[heap[q]] <= f[node]) break;
     heap[i] = heap[q];
     i = q;
   }
-  heap[i] = nodes;
-  p.nodes++;
-  p.generated++;
+  heap[i] = node;
 }
 
 /** Takes the open node of least f out of the heap. */
