@@ -22,7 +22,7 @@ const START_SIN = STARTS.map(sine);
 /** Widest start over the feet's heading, radians: beyond it feet are shifted or turned first. */
 const WIDEST_START = 1.6;
 /** Shifts: ways off the way to the goal, how far, how long, and how far the feet turn to the goal at once. */
-const SHIFTS = degrees([90, -90, 180, 140, -140]);
+const SHIFTS = degrees([0, 90, -90, 180, 140, -140]);
 const SHIFT_COS = SHIFTS.map(cosine);
 const SHIFT_SIN = SHIFTS.map(sine);
 const SHIFT = 0.3;
@@ -30,6 +30,8 @@ const SHIFT_TIME = 0.8;
 const SHIFT_TURN = 1.05;
 /** Effort of going sideways or with the torso twisted, J/kg a step. */
 const SQUEEZE_COST = 0.25;
+/** The same for shifting without turning, where turning is not free. */
+const KEEP_COST = 0.05;
 const STAND_TIME = 0.4;
 
 /** Adds the children of a node; (gx, gz) is the way to its local goal, unit. */
@@ -39,13 +41,8 @@ export function expand(p: Planner, search: Search, node: number, gx: number, gz:
   if (speed < 0.05) expandRest(p, search, node, o, gx, gz);
   else expandWalk(p, search, node, o, gx, gz, speed);
   const to = p.nodes;
-  keep(
-    p,
-    search,
-    node,
-    createStop(p.states, to * STATE, p.steps, to * STEP, p.states, o, STAND_TIME, search.gait),
-    0,
-  );
+  const stop = createStop(p.states, to * STATE, p.steps, to * STEP, p.states, o, STAND_TIME, search.gait);
+  keep(p, search, node, speed < 0.05 ? stop * search.impatience : stop, 0);
 }
 
 /** Keeps the step just made unless it is impossible. */
@@ -161,9 +158,10 @@ function expandRest(p: Planner, search: Search, node: number, o: number, gx: num
       SHIFT_TIME,
       gait,
     );
-    keep(p, search, node, energy < 0 || far === 0 ? energy : energy + SQUEEZE_COST, 0);
+    if (energy < 0) return;
+    keep(p, search, node, far === 0 ? energy : energy + SQUEEZE_COST, far === 0 ? 0 : KEEP_COST);
   };
-  for (let t = 0; t < SHIFTS.length; t++) {
+  for (let t = Math.abs(goalYaw) > WIDEST_START ? 0 : 1; t < SHIFTS.length; t++) {
     const dx = SHIFT_COS[t] * gx + SHIFT_SIN[t] * gz;
     const dz = SHIFT_COS[t] * gz - SHIFT_SIN[t] * gx;
     shift(dx, dz, SHIFT, toX, toZ, turn);

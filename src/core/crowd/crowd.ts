@@ -31,6 +31,9 @@ const TICK_NODES_EACH = 7;
 /** What nearness counts to one who goes first on the same way, and to one who comes after. */
 const AHEAD = 1.5;
 const BEHIND = 0.5;
+/** Time lost until a walker is under way, seconds; and what standing costs one who is stuck over what it takes. */
+const UNDER_WAY = 0.3;
+const IMPATIENCE = 2;
 /** Cells of long ways that a tick may look at. */
 const TICK_CELLS = 1500;
 
@@ -263,6 +266,8 @@ function searchOf(crowd: Crowd, i: number, way: LongWay, stuck: boolean, time: n
     most: 0,
     inWall: false,
     perMetre: 0,
+    underWay: 0,
+    impatience: 1,
     time: 0,
   };
   const { search } = crowd;
@@ -274,6 +279,8 @@ function searchOf(crowd: Crowd, i: number, way: LongWay, stuck: boolean, time: n
   search.most = crowd.options.greedy ? 1 : Math.min(crowd.nodesLeft, stuck ? STUCK_NODES : NODES);
   search.inWall = !clearOfWalls(ground, pose, 0);
   search.perMetre = person.perMetre;
+  search.underWay = 0.5 * goal.speed * goal.speed + person.gait.power * UNDER_WAY;
+  search.impatience = stuck ? IMPATIENCE : 1;
   search.time = time;
   return search;
 }

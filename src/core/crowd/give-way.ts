@@ -38,7 +38,6 @@ export const createWish = (): Wish => ({
   roomX: 0,
   roomZ: 0,
   roomUntil: -1,
-  jammed: false,
 });
 
 const room: LongWay = createStraightWay(0, 0);

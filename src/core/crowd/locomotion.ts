@@ -124,6 +124,25 @@ export function twistTorso(out: Float64Array, o: number, steps: Float64Array, p:
   out[o + S.faceZ] = steps[p + P.toZ] = cos * hz - sin * hx;
 }
 
+/** Makes a shift keep the facing and heading that it begins with, where turning would bring a shoulder into a wall. */
+export function keepFacing(
+  out: Float64Array,
+  o: number,
+  steps: Float64Array,
+  p: number,
+  footAside: number,
+): void {
+  const headX = steps[p + P.fromHeadX];
+  const headZ = steps[p + P.fromHeadZ];
+  const side = steps[p + P.side];
+  out[o + S.faceX] = steps[p + P.toX] = steps[p + P.fromX];
+  out[o + S.faceZ] = steps[p + P.toZ] = steps[p + P.fromZ];
+  out[o + S.headX] = steps[p + P.headX] = headX;
+  out[o + S.headZ] = steps[p + P.headZ] = headZ;
+  out[o + S.footX] = steps[p + P.footX] = out[o + S.x] + side * headZ * footAside;
+  out[o + S.footZ] = steps[p + P.footZ] = out[o + S.z] - side * headX * footAside;
+}
+
 /** What starts, stops, stands and shifts have in common. */
 function fromState(
   steps: Float64Array,

@@ -9,9 +9,9 @@
 import { expand } from "./actions.ts";
 import type { Ground } from "./ground.ts";
 import { costOfStep, createOthers, type Others, startJudging } from "./judge.ts";
-import { twistTorso } from "./locomotion.ts";
+import { keepFacing, twistTorso } from "./locomotion.ts";
 import { ahead, type LongWay } from "./long-way.ts";
-import { P, S, STATE, STEP } from "./state.ts";
+import { KIND, P, S, STATE, STEP } from "./state.ts";
 import type { Gait } from "./types.ts";
 
 /** Seconds looked ahead. */
@@ -81,8 +81,11 @@ export interface Search {
   most: number;
   /** Body overlaps a wall already: walls are not looked at until it is out. */
   inWall: boolean;
-  /** Energy of a metre of normal steps, J/kg. */
+  /** Energy of a metre of normal steps, and of getting under way from rest, J/kg. */
   perMetre: number;
+  underWay: number;
+  /** What standing costs over the energy it takes: more for one who has waited long. */
+  impatience: number;
   /** Seconds at the start. */
   time: number;
 }
@@ -169,10 +172,16 @@ function judge(p: Planner, search: Search, node: number): boolean {
   p.judgements++;
   let extra = costOfStep(p.others, p.steps, q, first, search);
   if (extra < 0 && p.twist[node] > 0) {
-    // Once more sideways: the shoulder first that is nearer to where it faces.
-    const left =
-      p.steps[q + P.fromX] * p.steps[q + P.headZ] - p.steps[q + P.fromZ] * p.steps[q + P.headX] >= 0 ? 1 : -1;
-    twistTorso(p.states, node * STATE, p.steps, q, left);
+    if (p.steps[q + P.kind] === KIND.shift)
+      keepFacing(p.states, node * STATE, p.steps, q, search.gait.footAside);
+    else {
+      // Once more sideways: the shoulder first that is nearer to where it faces.
+      const left =
+        p.steps[q + P.fromX] * p.steps[q + P.headZ] - p.steps[q + P.fromZ] * p.steps[q + P.headX] >= 0
+          ? 1
+          : -1;
+      twistTorso(p.states, node * STATE, p.steps, q, left);
+    }
     p.judgements++;
     extra = costOfStep(p.others, p.steps, q, first, search);
     if (extra >= 0) p.g[node] += p.twist[node];
@@ -203,7 +212,8 @@ export function keepNext(p: Planner, search: Search, node: number, cost: number,
   p.g[next] = p.g[node] + cost;
   const o = next * STATE;
   ahead(place, search.ground, search.way, p.states[o], p.states[o + 1]);
-  p.h[next] = search.perMetre * place[2];
+  // Who rests has still to get under way: else standing would look best whenever little is gained within the horizon.
+  p.h[next] = search.perMetre * place[2] + (p.states[o + S.speed] === 0 ? search.underWay : 0);
   p.f[next] = p.g[next] + p.h[next];
   putOpen(p, next);
 }
