@@ -3,7 +3,13 @@ import { bodyGap } from "../../src/core/crowd/bodies.ts";
 import { cosine, sine } from "../../src/core/crowd/elementary.ts";
 import { obstacleGap } from "../../src/core/crowd/ground.ts";
 import type { CrowdTrack } from "../../src/core/crowd/simulate.ts";
-import { BODY_RADIUS, type CrowdAgent, type CrowdWorld, type Obstacle, SHOULDER } from "../../src/core/crowd/types.ts";
+import {
+  BODY_RADIUS,
+  type CrowdAgent,
+  type CrowdWorld,
+  type Obstacle,
+  SHOULDER,
+} from "../../src/core/crowd/types.ts";
 import { createRandom, type Random } from "../../src/core/math/random.ts";
 
 export const wall = (x0: number, x1: number, z0: number, z1: number): Obstacle => ({
@@ -96,7 +102,10 @@ const DRAW = {
     for (const side of [-1, 1])
       for (let k = 0; k < each; k++) {
         const p = place(r, w, [side < 0 ? -16 : 4, side < 0 ? -4 : 16, -half + 0.4, half - 0.4]);
-        if (p) w.agents.push(walker(p[0], p[1], -side * 20, r.between(-half + 0.4, half - 0.4), r.between(0.9, 1.5)));
+        if (p)
+          w.agents.push(
+            walker(p[0], p[1], -side * 20, r.between(-half + 0.4, half - 0.4), r.between(0.9, 1.5)),
+          );
       }
   },
   /** All across a circle. */
@@ -184,7 +193,10 @@ export function drawCrowd(kind: CrowdKind, seed: number): CrowdWorld {
 }
 
 /** Deepest overlaps over a track, metres: of bodies, of bodies and walls, of planted feet. */
-export function overlaps(track: CrowdTrack, world: CrowdWorld): { bodies: number; walls: number; feet: number } {
+export function overlaps(
+  track: CrowdTrack,
+  world: CrowdWorld,
+): { bodies: number; walls: number; feet: number } {
   const worst = { bodies: 0, walls: 0, feet: 0 };
   const a = new Float64Array(12);
   track.positions.forEach((row, f) => {
@@ -204,7 +216,10 @@ export function overlaps(track: CrowdTrack, world: CrowdWorld): { bodies: number
         worst.bodies = Math.max(worst.bodies, -bodyGap(a, 0, a, 6, 1));
         for (const m of track.feet[f][i] ?? [])
           for (const n of track.feet[f][k] ?? [])
-            worst.feet = Math.max(worst.feet, m[2] + n[2] - Math.sqrt((m[0] - n[0]) ** 2 + (m[1] - n[1]) ** 2));
+            worst.feet = Math.max(
+              worst.feet,
+              m[2] + n[2] - Math.sqrt((m[0] - n[0]) ** 2 + (m[1] - n[1]) ** 2),
+            );
       }
     }
   });

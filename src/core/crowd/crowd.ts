@@ -21,7 +21,7 @@ const ARRIVED = 0.9;
 const ARRIVED_BOX = 0.15;
 /** Nodes expanded by a plan: normally, and by one who has not come on for a while. */
 const NODES = 70;
-const STUCK_NODES = 260;
+const STUCK_NODES = 140;
 /** Steps taken from one plan before the next search, and how much dearer the rest may have become, J/kg. */
 const KEPT = 1;
 const DEARER = 0.1;

@@ -7,6 +7,7 @@ import { evaluateStep, STOP_TIME } from "./locomotion.ts";
 import type { Search } from "./planner.ts";
 import { boundAt, type Sight, toldAt } from "./sight.ts";
 import { KIND, P, POSE, S } from "./state.ts";
+import { BODY_RADIUS, SHOULDER } from "./types.ts";
 
 const SAMPLE = 0.1;
 /** Ticks between samples. */
@@ -16,12 +17,15 @@ const SAMPLES = 39;
 const BOUND_SAMPLES = 14;
 /** Others that are looked at: the nearest within the visual field. */
 export const MOST_OTHERS = 18;
+/** Of these, whose nearness costs. */
+const MOST_NEAR = 12;
 /** Gap kept between bodies, metres. */
 const MARGIN = 0.03;
-/** Gap within which another's nearness costs, and what a predicted touch costs, J/kg a sample. */
+/** Gap within which another's nearness costs, and what a predicted touch costs, J/kg each 0.2 s. */
 const SPACE = 0.3;
-const SPACE_COST = 0.12;
-const TOUCH_COST = 2.5;
+const SPACE_COST = 0.24;
+const TOUCH_COST = 5;
+const HOPELESS = 12;
 /** What others say is less and less sure: the share of the cost lost each second. */
 const UNSURE = 0.2;
 /** Samples in one window of a walker's boxes. */
@@ -231,7 +235,8 @@ function nearness(
   const w0 = Math.floor((begin + 1) / WINDOW);
   const w1 = Math.floor(end / WINDOW);
   let cost = 0;
-  for (let i = 0; i < others.count; i++) {
+  const count = others.count < MOST_NEAR ? others.count : MOST_NEAR;
+  for (let i = 0; i < count; i++) {
     for (let w = w0; w <= w1; w++) {
       const b = 4 * (i * WINDOWS + w);
       if (
@@ -241,21 +246,29 @@ function nearness(
         toldBox[b + 3] < z0 - near
       )
         continue;
-      const k0 = w * WINDOW > begin ? w * WINDOW : begin + 1;
+      // Every other moment is enough for a cost.
+      const from = w * WINDOW > begin ? w * WINDOW : begin + 1;
+      const k0 = from + (from & 1);
       const k1 = (w + 1) * WINDOW - 1 < end ? (w + 1) * WINDOW - 1 : end;
-      for (let k = k0; k <= k1; k++) {
+      for (let k = k0; k <= k1; k += 2) {
         const m = (k - begin - 1) * POSE;
         const o = (i * SAMPLES + k) * POSE;
         const dx = told[o] - mine[m];
         const dz = told[o + 1] - mine[m + 1];
         const d2 = dx * dx + dz * dz;
         if (d2 > near * near) continue;
+        // Both bodies' extents along the line between them: the gap is never less than what they leave.
+        const across =
+          Math.abs(dx * mine[m + 3] - dz * mine[m + 2]) + Math.abs(dx * told[o + 3] - dz * told[o + 2]);
+        if (d2 - SHOULDER * across >= (SPACE + 2 * BODY_RADIUS) * Math.sqrt(d2)) continue;
         const gap = bodyGap(mine, m, told, o, SPACE);
         if (gap >= SPACE) continue;
         if (gap >= MARGIN) cost += SPACE_COST * others.weight[i] * (1 - gap / SPACE);
         else {
           const sure = 1 - UNSURE * k * SAMPLE;
           cost += TOUCH_COST * (sure > 0.2 ? sure : 0.2);
+          // Nobody goes on through that: how much worse it gets does not matter.
+          if (cost > HOPELESS) return cost;
         }
       }
     }
