@@ -172,6 +172,19 @@ export function createCrowd(world: CrowdWorld, options: CrowdOptions = {}): Crow
   return crowd;
 }
 
+/** Other walls, surfaces and goals for the same agents, who find their ways anew from where they are. */
+export function changeGround(crowd: Crowd, world: CrowdWorld): void {
+  crowd.world = world;
+  crowd.ground = createGround(world);
+  crowd.ways.clear();
+  for (const person of crowd.people) {
+    person.way = null;
+    person.planned = 0;
+    person.progress = Number.POSITIVE_INFINITY;
+    person.progressAt = crowd.tick * TICK;
+  }
+}
+
 /** The field of a goal, carried on to a start as far as `cells` go. */
 function wayTo(crowd: Crowd, goal: { x: number; z: number }, x: number, z: number, cells: number): LongWay {
   const name = `${goal.x},${goal.z}`;
