@@ -1,5 +1,10 @@
 /** The example scenes of the Scenes menu. */
 import alongTheBoard from "../../assets/scenes/along-the-board.json";
+import crowdCrossing from "../../assets/scenes/crowd-crossing.json";
+import crowdDoorway from "../../assets/scenes/crowd-doorway.json";
+import crowdEgress from "../../assets/scenes/crowd-egress.json";
+import crowdHallway from "../../assets/scenes/crowd-hallway.json";
+import crowdUTurn from "../../assets/scenes/crowd-u-turn.json";
 import movingBoxes from "../../assets/scenes/moving-boxes.json";
 import roundTheTable from "../../assets/scenes/round-the-table.json";
 import { defaultScene } from "../core/scene/default-scene.ts";
@@ -16,4 +21,9 @@ export const EXAMPLES: readonly Example[] = [
   { name: "Along the board", scene: () => parseScene(alongTheBoard) },
   { name: "Moving boxes", scene: () => parseScene(movingBoxes) },
   { name: "Round the table", scene: () => parseScene(roundTheTable) },
+  { name: "Crowd: doorway", scene: () => parseScene(crowdDoorway) },
+  { name: "Crowd: hallway", scene: () => parseScene(crowdHallway) },
+  { name: "Crowd: leaving a room", scene: () => parseScene(crowdEgress) },
+  { name: "Crowd: U-turn", scene: () => parseScene(crowdUTurn) },
+  { name: "Crowd: crossing", scene: () => parseScene(crowdCrossing) },
 ];

@@ -57,6 +57,9 @@ export class Stage {
   private readonly inkLines = new Map<number, Line>();
   private theme: Theme = "light";
   private waiting = 0;
+  /** Farthest that a scene is framed from, metres. */
+  private farthest = 13;
+  private figureShown = true;
   private free: FreeRect = { left: 0, top: 0, right: 0, bottom: 0 };
   private size = { width: 1, height: 1 };
   /** Called after each drawn frame, for what lies over the canvas. */
@@ -94,6 +97,23 @@ export class Stage {
     this.room.setTheme(theme);
     this.footprints.setTheme(theme);
     this.figure?.setTheme(theme);
+    this.invalidate();
+  }
+
+  /** A wide floor without walls, seen from farther off: for crowds. */
+  setOpen(open: boolean): void {
+    this.room.setOpen(open);
+    this.farthest = open ? 45 : 13;
+    this.controls.maxDistance = this.farthest + 1;
+    this.camera.far = open ? 120 : 60;
+    this.camera.updateProjectionMatrix();
+    this.invalidate();
+  }
+
+  /** Shows or hides the one character. */
+  setFigureShown(shown: boolean): void {
+    this.figureShown = shown;
+    if (this.figure) this.figure.group.visible = shown;
     this.invalidate();
   }
 
@@ -174,6 +194,7 @@ export class Stage {
     }
     this.figure = new Figure(skeleton, mesh);
     this.figure.setTheme(this.theme);
+    this.figure.group.visible = this.figureShown;
     this.scene.add(this.figure.group);
     this.invalidate();
   }
@@ -293,7 +314,7 @@ export class Stage {
     );
     const distance = (reach * 1.12) / Math.tan((this.camera.fov * Math.PI) / 360) / Math.min(1.45, aspect);
     this.controls.target.copy(c);
-    this.camera.position.copy(c).addScaledVector(direction, Math.max(3, Math.min(13, distance)));
+    this.camera.position.copy(c).addScaledVector(direction, Math.max(3, Math.min(this.farthest, distance)));
     this.controls.update();
     this.invalidate();
   }
