@@ -1,4 +1,5 @@
 /** The example scenes of the Scenes menu. */
+import aLecture from "../../assets/scenes/a-lecture.json";
 import alongTheBoard from "../../assets/scenes/along-the-board.json";
 import crowdCrossing from "../../assets/scenes/crowd-crossing.json";
 import crowdDoorway from "../../assets/scenes/crowd-doorway.json";
@@ -7,6 +8,7 @@ import crowdHallway from "../../assets/scenes/crowd-hallway.json";
 import crowdUTurn from "../../assets/scenes/crowd-u-turn.json";
 import movingBoxes from "../../assets/scenes/moving-boxes.json";
 import roundTheTable from "../../assets/scenes/round-the-table.json";
+import twoBoxesAway from "../../assets/scenes/two-boxes-away.json";
 import { defaultScene } from "../core/scene/default-scene.ts";
 import { parseScene } from "../core/scene/schema.ts";
 import type { Scene } from "../core/scene/types.ts";
@@ -16,11 +18,16 @@ export interface Example {
   scene(): Scene;
 }
 
+/** What the scene of a first visit is called. */
+export const FIRST_NAME = "Two tables";
+
 export const EXAMPLES: readonly Example[] = [
-  { name: "Two tables", scene: defaultScene },
+  { name: FIRST_NAME, scene: defaultScene },
   { name: "Along the board", scene: () => parseScene(alongTheBoard) },
   { name: "Moving boxes", scene: () => parseScene(movingBoxes) },
   { name: "Round the table", scene: () => parseScene(roundTheTable) },
+  { name: "A lecture", scene: () => parseScene(aLecture) },
+  { name: "Two boxes away", scene: () => parseScene(twoBoxesAway) },
   { name: "Crowd: doorway", scene: () => parseScene(crowdDoorway) },
   { name: "Crowd: hallway", scene: () => parseScene(crowdHallway) },
   { name: "Crowd: leaving a room", scene: () => parseScene(crowdEgress) },

@@ -150,15 +150,3 @@ export function addDoor(scene: Scene, at: Point, width = 0.95): Scene {
   if (high < half - 0.05) pieces.push(piece(high, half, pieces.length > 0 ? freeId(scene, "wall") : prop.id));
   return { ...scene, props: scene.props.flatMap((p) => (p.id === prop.id ? pieces : [p])) };
 }
-
-/** A wall or pillar at a place. */
-export function placeProp(scene: Scene, id: string, at: Point, yaw: number): Scene {
-  return {
-    ...scene,
-    props: scene.props.map((p) => (p.id === id ? { ...p, position: [at[0], p.position[1], at[1]], yaw } : p)),
-  };
-}
-
-export function removeProps(scene: Scene, ids: readonly string[]): Scene {
-  return { ...scene, props: scene.props.filter((p) => !ids.includes(p.id)) };
-}

@@ -3,14 +3,14 @@ import { crowdSession } from "../crowd/crowd-session.ts";
 import { steerImport } from "../formats/steersuite.ts";
 import { crowdLayer } from "../layers/crowd.ts";
 import { crowdTab } from "../panels/crowd.ts";
-import { agentThings, goalThings, propThings, regionThings, walkerThings } from "../things/crowd.ts";
+import { agentThings, goalThings, regionThings, walkerThings } from "../things/crowd.ts";
 import { crowdTool } from "../tools/crowd.ts";
 import type { Feature } from "./feature.ts";
 
 export const crowds: Feature = {
   id: "crowds",
   tools: [crowdTool],
-  things: [regionThings, agentThings, goalThings, propThings, walkerThings],
+  things: [regionThings, agentThings, goalThings, walkerThings],
   tabs: [crowdTab],
   layers: [crowdLayer],
   imports: [steerImport],

@@ -78,6 +78,7 @@ export function crowdLayer(e: Editor): ViewportLayer {
             }),
           ),
       "category",
+      [],
     );
   };
 

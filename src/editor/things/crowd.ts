@@ -1,10 +1,8 @@
-/** Parts of a crowd as things: areas, walkers, goals, walls and pillars; and the walkers themselves, looked at but not moved. */
+/** Parts of a crowd as things: areas, walkers and goals (walls and pillars are furniture); and the walkers themselves, looked at but not moved. */
 import {
   changeWalker,
   placeGoal,
-  placeProp,
   placeRegion,
-  removeProps,
   removeRegions,
   removeWalkers,
 } from "../../core/scene/crowd-commands.ts";
@@ -106,36 +104,6 @@ export const goalThings: ThingKind = {
   },
   // A walker without a goal would not walk: its goals stay.
   remove: (scene) => scene,
-};
-
-export const propThings: ThingKind = {
-  kind: "crowd-prop",
-  title: "Walls and pillars",
-  noun: "wall",
-  order: 43,
-  handle: "dot",
-  hint: "Drag to move it, also while the crowd runs",
-  tab: "crowd",
-  shown: working,
-  list: (e) =>
-    e.store
-      .getState()
-      .scene.props.filter((p) => p.kind === "wall" || p.kind === "pillar")
-      .slice(0, 2 * MOST_HANDLES)
-      .map((p, i) => ({
-        ref: ref("crowd-prop", p.id, i),
-        label: p.kind === "wall" ? `Wall ${i + 1}` : `Pillar ${i + 1}`,
-        fact: `${Math.max(p.size[0], p.size[2]).toFixed(2)} m`,
-        icon: p.kind === "wall" ? CROWD_ICONS.wall : CROWD_ICONS.pillar,
-        position: [p.position[0], p.size[1], p.position[2]],
-        yaw: p.kind === "wall" ? p.yaw : null,
-      })),
-  place: (scene, r, position, yaw) => placeProp(scene, r.id, [position[0], position[2]], yaw),
-  remove: (scene, refs) =>
-    removeProps(
-      scene,
-      refs.map((r) => r.id),
-    ),
 };
 
 /** Those who walk now: picked in the stage, told about in the panel. */

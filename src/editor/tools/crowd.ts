@@ -8,7 +8,6 @@ import {
   addWall,
   changeRegion,
   changeWalker,
-  placeProp,
 } from "../../core/scene/crowd-commands.ts";
 import type { Scene } from "../../core/scene/types.ts";
 import type { Editor } from "../editor.ts";
@@ -99,12 +98,12 @@ export const crowdTool: Tool = {
         return drag(e, p, (scene, a, b) => {
           if (far(a, b) < CLICK) return null;
           const { scene: next, id } = addWall(scene, a, b);
-          return { scene: next, made: ref("crowd-prop", id) };
+          return { scene: next, made: ref("prop", id) };
         });
       case "pillar":
         return drag(e, p, (scene, _, b) => {
           const { scene: next, id } = addPillar(scene, b);
-          return { scene: placeProp(next, id, b, 0), made: ref("crowd-prop", id) };
+          return { scene: next, made: ref("prop", id) };
         });
       default: {
         const at = p.level(0);
