@@ -33,6 +33,7 @@ export function footstepErrors(
     const t = f / 60;
     moveCrowd(m, t, 200);
     for (const { step } of m.session.footsteps) {
+      if (step.land + SETTLES > seconds) continue;
       if (step.lift === null || t < step.land || t > step.land + SETTLES || m.session.gone[step.agent] < t)
         continue;
       const [foot, toes] = step.side > 0 ? [J.leftFoot, J.leftToes] : [J.rightFoot, J.rightToes];

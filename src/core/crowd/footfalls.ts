@@ -23,6 +23,8 @@ export interface CrowdFootstep {
 const BOTH = 0.2;
 /** The same for feet that shift one after the other, seconds. */
 const BETWEEN = 0.05;
+/** Both feet rest for so long before a shift's first foot lifts: it may have landed just before. */
+const BEFORE = 0.1;
 
 /** What is remembered of each walker between its steps: when the one before began and lasted. */
 export interface FootfallMemory {
@@ -82,7 +84,7 @@ export function footfallsOf(
     return [at(side, x, z, lifted, start), at(-side, acrossX, acrossZ, start + BETWEEN, start + STOP_TIME)];
   if (kind === KIND.shift)
     return [
-      at(side, x, z, start, start + duration / 2),
+      at(side, x, z, start + BEFORE, start + duration / 2),
       at(-side, acrossX, acrossZ, start + duration / 2 + BETWEEN, start + duration),
     ];
   return [];

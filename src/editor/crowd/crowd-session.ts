@@ -31,6 +31,7 @@ export class CrowdSession {
   ready = false;
   /** Drawn anew: a frame, meshes or marks have come. */
   onFrame: () => void = () => undefined;
+  private onHash: (hash: string) => void = () => undefined;
   private worker: Worker | null = null;
   private deaths = 0;
   private id = 0;
@@ -85,6 +86,15 @@ export class CrowdSession {
       requestAnimationFrame(() => this.tick());
     }
     this.e.redraw();
+  }
+
+  /** The scene's crowd simulated from its start in the worker: a hash of all its trajectories. */
+  hash(seconds: number): Promise<string> {
+    const world = crowdOfScene(this.e.store.getState().scene, "scene");
+    return new Promise((resolve) => {
+      this.onHash = resolve;
+      this.send({ type: "simulate", id: this.id, world, seconds });
+    });
   }
 
   /** Looks at a walker; -1 for none. */
@@ -208,6 +218,7 @@ export class CrowdSession {
         }
         break;
       case "simulated":
+        this.onHash(answer.hash);
         break;
       case "failed":
         this.asking = false;

@@ -49,9 +49,6 @@ export interface CrowdPoses {
   here: Uint8Array;
 }
 
-/** Draw calls of a crowd, whatever its size: three bodies and the shadows under them. */
-export const CROWD_DRAWS = 4;
-
 export class CrowdMesh {
   readonly group = new Group();
   private levels: Level[] = [];
