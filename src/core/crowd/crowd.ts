@@ -20,13 +20,13 @@ import { chooseYaw } from "./yaw-interval.ts";
 const ARRIVED = 0.9;
 const ARRIVED_BOX = 0.15;
 /** Nodes expanded by a plan: normally, and by one who has not come on for a while. */
-const NODES = 70;
-const STUCK_NODES = 140;
+const NODES = 60;
+const STUCK_NODES = 80;
 /** Steps taken from one plan before the next search, and how much dearer the rest may have become, J/kg. */
 const KEPT = 1;
 const DEARER = 0.1;
 /** Nodes that a tick may expand: at least, and for each agent. */
-const TICK_NODES = 1200;
+const TICK_NODES = 800;
 const TICK_NODES_EACH = 7;
 /** What nearness counts to one who goes first on the same way, and to one who comes after. */
 const AHEAD = 3;

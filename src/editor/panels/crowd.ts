@@ -37,8 +37,8 @@ function running(s: CrowdSession): TemplateResult {
     <div class="row">
       <button class="button" @click=${() => s.setRunning(!s.running)} ?disabled=${!s.ready}>${s.running ? "Pause" : "Run"}</button>
       <button class="button" @click=${() => s.restart()}>From the start</button>
-      <span class="quiet">${s.seconds.toFixed(1)} s</span>
     </div>
+    <p class="note">${s.seconds.toFixed(1)} s</p>
     ${
       f && f.plans > 0
         ? html`<p class="note">${f.plans} plans, ${(f.expanded / f.plans).toFixed(0)} nodes looked at and ${(f.generated / f.plans).toFixed(0)} made for each.</p>`
@@ -99,7 +99,7 @@ function walker(e: Editor, s: CrowdSession): TemplateResult | typeof nothing {
         ? html`<table class="plot-table"><thead><tr><th>Step</th>${ENERGY_TERMS.map((t) => html`<th>${t}</th>`)}</tr></thead><tbody>${steps.map((q) => html`<tr><td>${q.code}</td>${q.terms.map((v) => html`<td>${v.toFixed(2)}</td>`)}</tr>`)}</tbody></table>`
         : html`<div>${unsafeSVG(energyPlot(steps))}</div>`
     }
-    <div class="row"><span class="quiet">J/kg each; W walks, S starts, H halts, R rests, A steps aside</span><button class="button small" aria-pressed=${table} @click=${() => e.toggleTable("energy")}>Table</button></div>
+    <p class="note">J/kg each. W walks, S starts, H halts, R rests, A steps aside.</p><button class="button small" aria-pressed=${table} @click=${() => e.toggleTable("energy")}>Table</button>
     <p class="note">${story.generated} footsteps were thought of, ${story.judgements} looked at among the others.</p>
   </section>`;
 }
