@@ -78,7 +78,7 @@ export const crowdTool: Tool = {
     { id: "walker", label: "Walker", icon: CROWD_ICONS.walker, key: "G" },
     { id: "wall", label: "Wall", icon: CROWD_ICONS.wall, key: "W" },
     { id: "door", label: "Door", icon: CROWD_ICONS.door, key: "D" },
-    { id: "pillar", label: "Pillar", icon: CROWD_ICONS.pillar, key: "I" },
+    { id: "pillar", label: "Pillar", icon: CROWD_ICONS.pillar, key: "U" },
   ],
   down(e, p) {
     switch (e.store.getState().choice ?? "area") {
