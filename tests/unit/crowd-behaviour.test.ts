@@ -5,13 +5,7 @@ import { createCrowd, stepCrowd, stepsOf } from "../../src/core/crowd/crowd.ts";
 import { exponential } from "../../src/core/crowd/elementary.ts";
 import { type CrowdTrack, simulateCrowd } from "../../src/core/crowd/simulate.ts";
 import { KIND, P, STEP } from "../../src/core/crowd/state.ts";
-import {
-  type CrowdWorld,
-  DEFAULT_GAIT,
-  froudeSpeed,
-  type Gait,
-  limping,
-} from "../../src/core/crowd/types.ts";
+import { type CrowdWorld, DEFAULT_GAIT, froudeSpeed, limping } from "../../src/core/crowd/types.ts";
 import { chooseYaw, nextYawInterval } from "../../src/core/crowd/yaw-interval.ts";
 import { CROWD_KINDS, drawCrowd, overlaps, walker, wall, worldOf } from "../support/crowd-scenes.ts";
 
