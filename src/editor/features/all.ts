@@ -6,6 +6,7 @@ import type { Feature } from "./feature.ts";
 import { footsteps } from "./footsteps.ts";
 import { furniture } from "./furniture.ts";
 import { paths } from "./paths.ts";
+import { stones } from "./stones.ts";
 import { tasks } from "./tasks.ts";
 
 export const ALL_FEATURES: readonly Feature[] = [
@@ -14,6 +15,7 @@ export const ALL_FEATURES: readonly Feature[] = [
   tasks,
   footsteps,
   paths,
+  stones,
   characters,
   crowds,
 ];

@@ -76,7 +76,7 @@ export const crowdTool: Tool = {
   choices: [
     { id: "area", label: "Area", icon: CROWD_ICONS.area, key: "A" },
     { id: "walker", label: "Walker", icon: CROWD_ICONS.walker, key: "G" },
-    { id: "wall", label: "Wall", icon: CROWD_ICONS.wall, key: "W" },
+    { id: "wall", label: "Wall", icon: CROWD_ICONS.wall, key: "E" },
     { id: "door", label: "Door", icon: CROWD_ICONS.door, key: "D" },
     { id: "pillar", label: "Pillar", icon: CROWD_ICONS.pillar, key: "U" },
   ],
