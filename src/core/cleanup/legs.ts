@@ -1,0 +1,127 @@
+/** The legs of a corrected frame: the root lowered where a leg would be too straight, hip, knee and ankle closed analytically. */
+import type { BvhFile } from "../capture/bvh-parse.ts";
+import { softEnvelope } from "../math/interpolate.ts";
+import {
+  quatBetween,
+  quatFromAxisAngle,
+  quatInverseMultiply,
+  quatMultiply,
+  quatRotate,
+} from "../math/quaternion.ts";
+import { writeRotation } from "./file-motion.ts";
+import type { FileMotion } from "./soles.ts";
+
+/** Of a knee's captured flexion this much stays at least, and at least this angle where it was more, radians. */
+const KNEE_SHARE = 0.6;
+const KNEE_LEAST = (4 * Math.PI) / 180;
+
+/** Joints of one leg in the file. */
+export interface Leg {
+  thigh: number;
+  shank: number;
+  foot: number;
+}
+
+/** Lowers the root softly where a corrected foot would straighten its leg more than the capture did. */
+export function lowerRoot(
+  shift: Float64Array,
+  legs: readonly Leg[],
+  corrections: readonly { move: Float64Array }[],
+  { p, joints: count, frames: n, rate, axes: [ga, gb, up] }: FileMotion,
+): void {
+  const drop = new Float64Array(n);
+  for (let f = 0; f < n; f++) {
+    legs.forEach((leg, side) => {
+      const hip = 3 * (f * count + leg.thigh);
+      const knee = 3 * (f * count + leg.shank);
+      const ankle = 3 * (f * count + leg.foot);
+      const distance = (a: number, b: number): number =>
+        Math.hypot(p[a] - p[b], p[a + 1] - p[b + 1], p[a + 2] - p[b + 2]);
+      const a = distance(hip, knee);
+      const b = distance(knee, ankle);
+      const was = distance(hip, ankle);
+      const flexion = Math.acos(Math.max(-1, Math.min(1, (was * was - a * a - b * b) / (2 * a * b))));
+      const kept = Math.min(flexion, Math.max(KNEE_LEAST, KNEE_SHARE * flexion));
+      const longest = Math.sqrt(a * a + b * b + 2 * a * b * Math.cos(kept));
+      const da = p[hip + ga] + shift[3 * f + ga] - p[ankle + ga] - corrections[side].move[3 * f];
+      const db = p[hip + gb] + shift[3 * f + gb] - p[ankle + gb] - corrections[side].move[3 * f + 1];
+      const rise = p[hip + up] + shift[3 * f + up] - p[ankle + up] - corrections[side].move[3 * f + 2];
+      const height = Math.sqrt(Math.max(1e-4, longest * longest - da * da - db * db));
+      drop[f] = Math.max(drop[f], rise - height);
+    });
+  }
+  const lower = softEnvelope(drop, Math.max(2, Math.round(0.13 * rate)));
+  for (let f = 0; f < n; f++) shift[3 * f + up] -= lower[f];
+}
+
+const w = new Float64Array(32);
+
+/** Turns thigh, shank and foot of a frame so that the ankle stands where its correction wants it. */
+export function closeLeg(
+  file: BvhFile,
+  leg: Leg,
+  f: number,
+  { q, p, joints: count, axes: [ga, gb, up] }: FileMotion,
+  shift: Float64Array,
+  move: Float64Array,
+  turn: number,
+): void {
+  const hip = 3 * (f * count + leg.thigh);
+  const knee = 3 * (f * count + leg.shank);
+  const ankle = 3 * (f * count + leg.foot);
+  const still = Math.hypot(move[3 * f], move[3 * f + 1], move[3 * f + 2]) + Math.abs(turn) < 1e-9;
+  if (still && Math.hypot(shift[3 * f], shift[3 * f + 1], shift[3 * f + 2]) < 1e-9) return;
+  const target = [p[ankle], p[ankle + 1], p[ankle + 2]];
+  target[ga] += move[3 * f];
+  target[gb] += move[3 * f + 1];
+  target[up] += move[3 * f + 2];
+  const h = [0, 1, 2].map((k) => p[hip + k] + shift[3 * f + k]);
+  const bone = (from: number, to: number): [number, number, number, number] => {
+    const d = [0, 1, 2].map((k) => p[to + k] - p[from + k]);
+    const l = Math.hypot(d[0], d[1], d[2]) || 1e-9;
+    return [d[0] / l, d[1] / l, d[2] / l, l];
+  };
+  const thigh = bone(hip, knee);
+  const shank = bone(knee, ankle);
+  const a = thigh[3];
+  const b = shank[3];
+  let dx = target[0] - h[0];
+  let dy = target[1] - h[1];
+  let dz = target[2] - h[2];
+  const distance = Math.hypot(dx, dy, dz) || 1e-9;
+  dx /= distance;
+  dy /= distance;
+  dz /= distance;
+  const reach = Math.min(distance, (a + b) * 0.9999);
+  // The knee stays in the plane that the capture shows.
+  const along = thigh[0] * dx + thigh[1] * dy + thigh[2] * dz;
+  let px = thigh[0] - along * dx;
+  let py = thigh[1] - along * dy;
+  let pz = thigh[2] - along * dz;
+  const length = Math.hypot(px, py, pz) || 1e-9;
+  px /= length;
+  py /= length;
+  pz /= length;
+  const cosine = Math.max(-1, Math.min(1, (a * a + reach * reach - b * b) / (2 * a * reach)));
+  const sine = Math.sqrt(1 - cosine * cosine);
+  const u = [cosine * dx + sine * px, cosine * dy + sine * py, cosine * dz + sine * pz];
+  const k = [h[0] + a * u[0], h[1] + a * u[1], h[2] + a * u[2]];
+  const s = [0, 1, 2].map((i) => (h[i] + reach * [dx, dy, dz][i] - k[i]) / b);
+  quatBetween(w, 0, thigh[0], thigh[1], thigh[2], u[0], u[1], u[2]);
+  quatMultiply(w, 4, w, 0, q, 4 * (f * count + leg.thigh));
+  // The shank first goes with the thigh, then the rest of the way.
+  quatRotate(w, 8, w, 0, shank[0], shank[1], shank[2]);
+  const n = Math.hypot(s[0], s[1], s[2]) || 1;
+  quatBetween(w, 12, w[8], w[9], w[10], s[0] / n, s[1] / n, s[2] / n);
+  quatMultiply(w, 16, w, 0, q, 4 * (f * count + leg.shank));
+  quatMultiply(w, 16, w, 12, w, 16);
+  quatFromAxisAngle(w, 20, up === 0 ? 1 : 0, up === 1 ? 1 : 0, up === 2 ? 1 : 0, turn);
+  quatMultiply(w, 20, w, 20, q, 4 * (f * count + leg.foot));
+  const parent = file.joints[leg.thigh].parent;
+  quatInverseMultiply(w, 24, q, 4 * (f * count + parent), w, 4);
+  writeRotation(file, leg.thigh, f, w, 24);
+  quatInverseMultiply(w, 24, w, 4, w, 16);
+  writeRotation(file, leg.shank, f, w, 24);
+  quatInverseMultiply(w, 24, w, 16, w, 20);
+  writeRotation(file, leg.foot, f, w, 24);
+}
