@@ -9,11 +9,11 @@ import { worldOf } from "../capture/bvh-world.ts";
 import type { Clip } from "../capture/clip.ts";
 import { mapJoints } from "../capture/names.ts";
 import { LEG_ROW, POINT, trackOf } from "../contacts/motion-track.ts";
-import { gaussian } from "../math/interpolate.ts";
 import type { ContactTrack } from "../steps/types.ts";
 import { fileMotion, writeRoot } from "./file-motion.ts";
 import { closeLeg, type Leg, lowerRoot } from "./legs.ts";
 import { correctFoot } from "./roll.ts";
+import { kneesOf, rootShift } from "./root.ts";
 import { type FootJoints, padsOf } from "./soles.ts";
 
 export interface CleanReport {
@@ -25,8 +25,6 @@ export interface CleanReport {
 
 /** Seconds in which a correction blends in and out: 30 frames at 60 Hz [Oracle §7]. */
 const BLEND = 0.5;
-/** Softness of the root's way, seconds. */
-const ROOT_SOFT = 0.12;
 
 /**
  * A cleaned copy of `file`.
@@ -71,6 +69,7 @@ export function cleanBvh(
     correctFoot(
       p,
       Uint8Array.from({ length: n }, (_, f) => bitsOf(f, side)),
+      kneesOf(motion, legs[side]).gain,
       {
         rate,
         leg: legLength,
@@ -78,12 +77,12 @@ export function cleanBvh(
       },
     ),
   );
-  // Root: half of what both feet need, softly; then down where a leg would be too straight.
-  const shift = new Float64Array(3 * n);
-  for (let f = 0; f < n; f++)
-    for (let k = 0; k < 3; k++)
-      shift[3 * f + axes[k]] = (corrections[0].move[3 * f + k] + corrections[1].move[3 * f + k]) / 2;
-  gaussian(shift, 3, Math.max(1, ROOT_SOFT * rate));
+  // The root follows; then it goes down where a leg would still be too straight.
+  const shift = rootShift(
+    motion,
+    legs,
+    corrections.map((c) => c.move),
+  );
   lowerRoot(shift, legs, corrections, motion);
   const out: BvhFile = { ...file, values: file.values.slice() };
   writeRoot(out, joints.get("hips") ?? 0, shift, motion.q, motion.joints, scale);

@@ -12,8 +12,8 @@ import { writeRotation } from "./file-motion.ts";
 import type { FileMotion } from "./soles.ts";
 
 /** Of a knee's captured flexion this much stays at least, and at least this angle where it was more, radians. */
-const KNEE_SHARE = 0.6;
-const KNEE_LEAST = (4 * Math.PI) / 180;
+const KNEE_SHARE = 0.5;
+const KNEE_LEAST = (1.5 * Math.PI) / 180;
 
 /** Joints of one leg in the file. */
 export interface Leg {

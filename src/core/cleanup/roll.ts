@@ -36,8 +36,6 @@ const HEIGHT_SOFT = 0.1;
 const UNEVEN = 0.075;
 /** A correction that moves at a plant's edge comes to rest within this time, seconds. */
 const SETTLE = 0.13;
-/** Flat frames say this many times more about where a plant is. */
-const FLAT_WEIGHT = 3;
 
 const smooth = (u: number): number => {
   const t = Math.max(0, Math.min(1, u));
@@ -52,8 +50,18 @@ interface Plant {
   height: number;
 }
 
-/** The corrections of one foot. @param bits contact bits a frame: 1 heel, 2 toe. */
-export function correctFoot(pads: PadTrack, bits: Uint8Array, o: RollOptions): FootCorrection {
+/**
+ * The corrections of one foot.
+ *
+ * @param bits contact bits a frame: 1 heel, 2 toe.
+ * @param gain what a metre costs the knee, radians, a frame: a plant stays nearest to the capture where the leg is straight.
+ */
+export function correctFoot(
+  pads: PadTrack,
+  bits: Uint8Array,
+  gain: Float64Array,
+  o: RollOptions,
+): FootCorrection {
   const n = pads.frames;
   const out: FootCorrection = { turn: new Float64Array(n), move: new Float64Array(3 * n), plants: 0 };
   const points = pads.points.slice();
@@ -61,7 +69,7 @@ export function correctFoot(pads: PadTrack, bits: Uint8Array, o: RollOptions): F
   out.plants = plants.length;
   for (const plant of plants) {
     holdHeading(points, worn, plant, out.turn);
-    rollPlant(points, worn, plant, out.move);
+    rollPlant(points, worn, gain, plant, out.move);
   }
   levelPlants(pads, points, worn, plants, out.move, o);
   blendBetween(plants, n, o, out);
@@ -183,7 +191,13 @@ function holdHeading(points: Float64Array, bits: Uint8Array, { from, to }: Plant
 }
 
 /** Takes the slide out of a plant, and puts it where the capture has it on average. */
-function rollPlant(points: Float64Array, bits: Uint8Array, { from, to }: Plant, move: Float64Array): void {
+function rollPlant(
+  points: Float64Array,
+  bits: Uint8Array,
+  gain: Float64Array,
+  { from, to }: Plant,
+  move: Float64Array,
+): void {
   const slide = new Float64Array(2);
   let x = 0;
   let z = 0;
@@ -193,7 +207,7 @@ function rollPlant(points: Float64Array, bits: Uint8Array, { from, to }: Plant, 
   for (let f = from; f < to; f++) {
     move[3 * f] = x;
     move[3 * f + 1] = z;
-    const weight = bits[f] === 3 ? FLAT_WEIGHT : 1;
+    const weight = gain[f] ** 2;
     meanX += weight * x;
     meanZ += weight * z;
     total += weight;
