@@ -52,7 +52,7 @@ export function cleanBvh(
   const { scale, up } = worldOf(file, joints);
   for (const leg of legs) leg.toeEnd = leg.toes < 0 ? 0 : scale * toeEnd(file, leg.toes);
   const motion = fileMotion(file, scale, up);
-  const { frames: n, rate, axes } = motion;
+  const { frames: n, rate } = motion;
   const track = trackOf(clip);
   const clipFrame = (f: number): number =>
     Math.max(0, Math.min(clip.frames - 1, Math.round((f * clip.rate) / rate)));
@@ -90,9 +90,10 @@ export function cleanBvh(
   let largestRoot = 0;
   for (let f = 0; f < n; f++) {
     largestRoot = Math.max(largestRoot, Math.hypot(shift[3 * f], shift[3 * f + 1], shift[3 * f + 2]));
-    corrections.forEach(({ move, turn }, side) => {
+    corrections.forEach((correction, side) => {
+      const { move } = correction;
       largestMove = Math.max(largestMove, Math.hypot(move[3 * f], move[3 * f + 1], move[3 * f + 2]));
-      closeLeg(out, legs[side], f, motion, shift, move, turn[f]);
+      closeLeg(out, legs[side], f, motion, shift, correction);
     });
   }
   return {

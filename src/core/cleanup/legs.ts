@@ -9,7 +9,8 @@ import {
   quatRotate,
 } from "../math/quaternion.ts";
 import { writeRotation } from "./file-motion.ts";
-import type { FileMotion } from "./soles.ts";
+import type { FootCorrection } from "./roll.ts";
+import type { FileMotion, FootJoints } from "./soles.ts";
 
 /** Of a knee's captured flexion this much stays at least, and at least this angle where it was more, radians. */
 const KNEE_SHARE = 0.5;
@@ -54,22 +55,31 @@ export function lowerRoot(
   for (let f = 0; f < n; f++) shift[3 * f + up] -= lower[f];
 }
 
-const w = new Float64Array(32);
+const w = new Float64Array(36);
+const axis = new Float64Array(3);
 
-/** Turns thigh, shank and foot of a frame so that the ankle stands where its correction wants it. */
+/** Turns thigh, shank, foot and toes of a frame so that the ankle stands where its correction wants it. */
 export function closeLeg(
   file: BvhFile,
-  leg: Leg,
+  leg: Leg & FootJoints,
   f: number,
   { q, p, joints: count, axes: [ga, gb, up] }: FileMotion,
   shift: Float64Array,
-  move: Float64Array,
-  turn: number,
+  correction: FootCorrection,
 ): void {
+  const { move, heading } = correction;
+  const turn = correction.turn[f];
+  const tilt = correction.tilt[f];
+  const toeTilt = correction.toeTilt[f];
   const hip = 3 * (f * count + leg.thigh);
   const knee = 3 * (f * count + leg.shank);
   const ankle = 3 * (f * count + leg.foot);
-  const still = Math.hypot(move[3 * f], move[3 * f + 1], move[3 * f + 2]) + Math.abs(turn) < 1e-9;
+  const still =
+    Math.hypot(move[3 * f], move[3 * f + 1], move[3 * f + 2]) +
+      Math.abs(turn) +
+      Math.abs(tilt) +
+      Math.abs(toeTilt) <
+    1e-9;
   if (still && Math.hypot(shift[3 * f], shift[3 * f + 1], shift[3 * f + 2]) < 1e-9) return;
   const target = [p[ankle], p[ankle + 1], p[ankle + 2]];
   target[ga] += move[3 * f];
@@ -116,6 +126,18 @@ export function closeLeg(
   quatMultiply(w, 16, w, 0, q, 4 * (f * count + leg.shank));
   quatMultiply(w, 16, w, 12, w, 16);
   quatFromAxisAngle(w, 20, up === 0 ? 1 : 0, up === 1 ? 1 : 0, up === 2 ? 1 : 0, turn);
+  const toed = leg.toes >= 0 && file.joints[leg.toes].parent === leg.foot;
+  // Tilted about the foot's level left first, then turned.
+  axis[ga] = -heading[2 * f + 1];
+  axis[gb] = heading[2 * f];
+  axis[up] = 0;
+  quatFromAxisAngle(w, 28, axis[0], axis[1], axis[2], tilt);
+  quatFromAxisAngle(w, 32, axis[0], axis[1], axis[2], toeTilt);
+  if (toed) {
+    quatMultiply(w, 32, w, 20, w, 32);
+    quatMultiply(w, 32, w, 32, q, 4 * (f * count + leg.toes));
+  }
+  quatMultiply(w, 20, w, 20, w, 28);
   quatMultiply(w, 20, w, 20, q, 4 * (f * count + leg.foot));
   const parent = file.joints[leg.thigh].parent;
   quatInverseMultiply(w, 24, q, 4 * (f * count + parent), w, 4);
@@ -124,4 +146,7 @@ export function closeLeg(
   writeRotation(file, leg.shank, f, w, 24);
   quatInverseMultiply(w, 24, w, 16, w, 20);
   writeRotation(file, leg.foot, f, w, 24);
+  if (!toed || (tilt === 0 && toeTilt === 0)) return;
+  quatInverseMultiply(w, 24, w, 20, w, 32);
+  writeRotation(file, leg.toes, f, w, 24);
 }

@@ -9,9 +9,15 @@
 import { gaussian } from "../math/interpolate.ts";
 import { PAD, PAD_ROW, type PadTrack } from "./soles.ts";
 
-/** Correction of a foot: a turn about the upright through its ankle (radians, from the first ground axis to the second), then a move. */
+/**
+ * Correction of a foot: tilts of foot and toes about the foot's level left (radians, heel up positive), a turn about the upright through its ankle (from the first ground axis to the second), then a move.
+ */
 export interface FootCorrection {
+  tilt: Float64Array;
+  toeTilt: Float64Array;
   turn: Float64Array;
+  /** Where the captured foot points on the ground: frames x 2, of length 1. */
+  heading: Float64Array;
   /** frames x 3: two ground axes, height; metres. */
   move: Float64Array;
   /** Plants found. */
@@ -36,6 +42,10 @@ const HEIGHT_SOFT = 0.1;
 const UNEVEN = 0.075;
 /** A correction that moves at a plant's edge comes to rest within this time, seconds. */
 const SETTLE = 0.13;
+
+/** Of what the slope of a flat foot changes, this share is taken out; it fades beside the flat frames in so many seconds. */
+const SLOPE_SHARE = 0.8;
+const SLOPE_FADE = 0.1;
 
 const smooth = (u: number): number => {
   const t = Math.max(0, Math.min(1, u));
@@ -63,11 +73,27 @@ export function correctFoot(
   o: RollOptions,
 ): FootCorrection {
   const n = pads.frames;
-  const out: FootCorrection = { turn: new Float64Array(n), move: new Float64Array(3 * n), plants: 0 };
+  const out: FootCorrection = {
+    tilt: new Float64Array(n),
+    toeTilt: new Float64Array(n),
+    turn: new Float64Array(n),
+    heading: new Float64Array(2 * n),
+    move: new Float64Array(3 * n),
+    plants: 0,
+  };
+  for (let f = 0; f < n; f++) {
+    const o = f * PAD_ROW;
+    const x = pads.points[o + PAD.joint] - pads.points[o + PAD.heelFar];
+    const z = pads.points[o + PAD.joint + 1] - pads.points[o + PAD.heelFar + 1];
+    const l = Math.hypot(x, z) || 1;
+    out.heading[2 * f] = x / l;
+    out.heading[2 * f + 1] = z / l;
+  }
   const points = pads.points.slice();
   const { plants, worn } = findPlants(pads, bits, o);
   out.plants = plants.length;
   for (const plant of plants) {
+    holdSlopes(points, worn, plant, out, o.rate);
     holdHeading(points, worn, plant, out.turn);
     rollPlant(points, worn, gain, plant, out.move);
   }
@@ -144,6 +170,65 @@ function stillest(out: Float64Array, points: Float64Array, f: number, bit: numbe
   if (jx * jx + jz * jz >= out[0] * out[0] + out[1] * out[1]) return;
   out[0] = jx;
   out[1] = jz;
+}
+
+/**
+ * Tilts foot and toes so that their slopes change less while heel and toe are both down: a foot that rests on both does not pitch.
+ * What they are tilted at the first and last flat frame fades in the frames beside.
+ */
+function holdSlopes(
+  points: Float64Array,
+  bits: Uint8Array,
+  { from, to }: Plant,
+  out: FootCorrection,
+  rate: number,
+): void {
+  const flats: number[] = [];
+  for (let f = from; f < to; f++) if (bits[f] === 3) flats.push(f);
+  if (flats.length < 2) return;
+  const fade = Math.max(1, SLOPE_FADE * rate);
+  const hold = (tilt: Float64Array, back: number, front: number): void => {
+    const slope = (f: number): number => {
+      const o = f * PAD_ROW;
+      const along =
+        (points[o + front] - points[o + back]) * out.heading[2 * f] +
+        (points[o + front + 1] - points[o + back + 1]) * out.heading[2 * f + 1];
+      return Math.atan2(points[o + back + 2] - points[o + front + 2], along);
+    };
+    const held = flats.map(slope).sort((a, b) => a - b)[flats.length >> 1];
+    for (const f of flats) tilt[f] = SLOPE_SHARE * (held - slope(f));
+    for (let f = from; f < to; f++) {
+      if (bits[f] === 3) continue;
+      const nearest = flats.reduce((best, g) => (Math.abs(g - f) < Math.abs(best - f) ? g : best));
+      tilt[f] = tilt[nearest] * (1 - smooth(Math.abs(nearest - f) / fade));
+    }
+  };
+  hold(out.tilt, PAD.heelFar, PAD.joint);
+  hold(out.toeTilt, PAD.ball, PAD.tip);
+  for (let f = from; f < to; f++) tiltPoints(points, f, out);
+}
+
+/** Turns what belongs to the foot about the ankle, heel up; the toes go with their joint and have their own tilt. */
+function tiltPoints(points: Float64Array, f: number, { heading, tilt, toeTilt }: FootCorrection): void {
+  const o = f * PAD_ROW;
+  const x = heading[2 * f];
+  const z = heading[2 * f + 1];
+  const before = [0, 1, 2].map((k) => points[o + PAD.joint + k]);
+  const swing = (at: number, centre: readonly number[], angle: number): void => {
+    const c = Math.cos(angle);
+    const s = Math.sin(angle);
+    const along = (points[o + at] - centre[0]) * x + (points[o + at + 1] - centre[1]) * z;
+    const rise = points[o + at + 2] - centre[2];
+    const moved = c * along + s * rise - along;
+    points[o + at] += moved * x;
+    points[o + at + 1] += moved * z;
+    points[o + at + 2] = centre[2] + c * rise - s * along;
+  };
+  for (const at of [PAD.ball, PAD.tip]) swing(at, before, toeTilt[f]);
+  const ankle = [points[o], points[o + 1], points[o + 2]];
+  for (const at of [PAD.heelNear, PAD.heelFar, PAD.joint]) swing(at, ankle, tilt[f]);
+  for (const at of [PAD.ball, PAD.tip])
+    for (let k = 0; k < 3; k++) points[o + at + k] += points[o + PAD.joint + k] - before[k];
 }
 
 /** Turns the foot so that its heading stays while heel and toe are both down; before and after it keeps the nearest flat frame's turn. */
@@ -288,12 +373,14 @@ function levelPlants(
 function blendBetween(plants: readonly Plant[], n: number, o: RollOptions, out: FootCorrection): void {
   const blend = Math.max(2, Math.round(o.blend * o.rate));
   const settle = SETTLE * o.rate;
-  const { turn, move } = out;
-  const channel = (k: number, f: number): number => (k < 3 ? move[3 * f + k] : turn[f]);
-  const set = (k: number, f: number, v: number): void => {
-    if (k < 3) move[3 * f + k] = v;
-    else turn[f] = v;
-  };
+  const channels: [track: Float64Array, stride: number, at: number][] = [
+    [out.move, 3, 0],
+    [out.move, 3, 1],
+    [out.move, 3, 2],
+    [out.turn, 1, 0],
+    [out.tilt, 1, 0],
+    [out.toeTilt, 1, 0],
+  ];
   for (let i = 0; i <= plants.length; i++) {
     const from = i > 0 ? plants[i - 1].to : 0;
     const to = i < plants.length ? plants[i].from : n;
@@ -301,11 +388,12 @@ function blendBetween(plants: readonly Plant[], n: number, o: RollOptions, out: 
     const after = i < plants.length;
     const a = from - 1;
     const b = to;
-    for (let k = 0; k < 4; k++) {
-      const end = before ? channel(k, a) : 0;
-      const start = after ? channel(k, b) : 0;
-      const leaving = before && a - plants[i - 1].from > 0 ? end - channel(k, a - 1) : 0;
-      const coming = after && plants[i].to - b > 1 ? channel(k, b + 1) - start : 0;
+    for (const [track, stride, at] of channels) {
+      const value = (f: number): number => track[stride * f + at];
+      const end = before ? value(a) : 0;
+      const start = after ? value(b) : 0;
+      const leaving = before && a - plants[i - 1].from > 0 ? end - value(a - 1) : 0;
+      const coming = after && plants[i].to - b > 1 ? value(b + 1) - start : 0;
       const gap = to - from + 1;
       const length = Math.min(blend, gap);
       for (let f = from; f < to; f++) {
@@ -317,14 +405,11 @@ function blendBetween(plants: readonly Plant[], n: number, o: RollOptions, out: 
         const wa = !before ? 0 : joined ? 1 - s : 1 - smooth(since / length);
         const wb = !after ? 0 : joined ? s : 1 - smooth(till / length);
         const t = Math.min(settle, gap);
-        set(
-          k,
-          f,
+        track[stride * f + at] =
           wa * end +
-            wb * start +
-            leaving * since * (1 - smooth(since / t)) -
-            coming * till * (1 - smooth(till / t)),
-        );
+          wb * start +
+          leaving * since * (1 - smooth(since / t)) -
+          coming * till * (1 - smooth(till / t));
       }
     }
   }
