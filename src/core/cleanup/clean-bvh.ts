@@ -11,7 +11,7 @@ import { mapJoints } from "../capture/names.ts";
 import { LEG_ROW, POINT, trackOf } from "../contacts/motion-track.ts";
 import type { ContactTrack } from "../steps/types.ts";
 import { fileMotion, writeRoot } from "./file-motion.ts";
-import { closeLeg, type Leg, lowerRoot } from "./legs.ts";
+import { closeLeg, hingeOf, type Leg, lowerRoot, settleKnee } from "./legs.ts";
 import { correctFoot } from "./roll.ts";
 import { kneesOf, rootShift } from "./root.ts";
 import { type FootJoints, padsOf } from "./soles.ts";
@@ -84,8 +84,12 @@ export function cleanBvh(
     corrections.map((c) => c.move),
   );
   lowerRoot(shift, legs, corrections, motion);
+  legs.forEach((leg, side) => {
+    settleKnee(leg, corrections[side], shift, motion);
+  });
   const out: BvhFile = { ...file, values: file.values.slice() };
   writeRoot(out, joints.get("hips") ?? 0, shift, motion.q, motion.joints, scale);
+  const hinges = legs.map((leg) => hingeOf(leg, motion));
   let largestMove = 0;
   let largestRoot = 0;
   for (let f = 0; f < n; f++) {
@@ -93,12 +97,12 @@ export function cleanBvh(
     corrections.forEach((correction, side) => {
       const { move } = correction;
       largestMove = Math.max(largestMove, Math.hypot(move[3 * f], move[3 * f + 1], move[3 * f + 2]));
-      closeLeg(out, legs[side], f, motion, shift, correction);
+      closeLeg(out, legs[side], f, motion, shift, correction, hinges[side]);
     });
   }
   return {
     file: out,
-    report: { plants: corrections.reduce((sum, c) => sum + c.plants, 0), largestMove, largestRoot },
+    report: { plants: corrections.reduce((sum, c) => sum + c.plants.length, 0), largestMove, largestRoot },
   };
 }
 

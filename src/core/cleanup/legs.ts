@@ -1,8 +1,9 @@
 /** The legs of a corrected frame: the root lowered where a leg would be too straight, hip, knee and ankle closed analytically. */
 import type { BvhFile } from "../capture/bvh-parse.ts";
-import { softEnvelope } from "../math/interpolate.ts";
+import { smoothstep, softEnvelope } from "../math/interpolate.ts";
 import {
   quatBetween,
+  quatConjugate,
   quatFromAxisAngle,
   quatInverseMultiply,
   quatMultiply,
@@ -55,6 +56,82 @@ export function lowerRoot(
   for (let f = 0; f < n; f++) shift[3 * f + up] -= lower[f];
 }
 
+/** Seconds before and after a plant in which the knee already, or still, bends by as much more or less as at the plant's edge. */
+const SETTLE = 0.2;
+
+/**
+ * Moves a swinging foot along its leg so that the knee comes to a plant, and leaves it, as it is there: a plant that bends a
+ * straight knee is prepared while the foot is in the air.
+ */
+export function settleKnee(
+  leg: Leg,
+  { move, plants }: FootCorrection,
+  shift: Float64Array,
+  { p, joints: count, frames: n, rate, axes: [ga, gb, up] }: FileMotion,
+): void {
+  const reach = Math.max(1, Math.round(SETTLE * rate));
+  const bend = (a: number, b: number, d: number): number =>
+    Math.acos(Math.max(-1, Math.min(1, (d * d - a * a - b * b) / (2 * a * b))));
+  const legOf = (f: number) => {
+    const [hip, knee, ankle] = [leg.thigh, leg.shank, leg.foot].map((j) => 3 * (f * count + j));
+    const between = (i: number, j: number): number =>
+      Math.hypot(p[i] - p[j], p[i + 1] - p[j + 1], p[i + 2] - p[j + 2]);
+    const a = between(hip, knee);
+    const b = between(knee, ankle);
+    const to = [0, 0, 0];
+    for (const k of [0, 1, 2]) to[k] = p[ankle + k] - p[hip + k] - shift[3 * f + k];
+    to[ga] += move[3 * f];
+    to[gb] += move[3 * f + 1];
+    to[up] += move[3 * f + 2];
+    const d = Math.hypot(to[0], to[1], to[2]) || 1e-9;
+    const was = bend(a, b, between(hip, ankle));
+    return { a, b, to, d, was, more: bend(a, b, d) - was };
+  };
+  const settle = (f: number, edge: number, weight: number): void => {
+    const { a, b, to, d, was, more } = legOf(f);
+    const wanted = Math.max(0, was + more + weight * (edge - more));
+    const length = Math.sqrt(a * a + b * b + 2 * a * b * Math.cos(wanted));
+    const by = (length - d) / d;
+    move[3 * f] += by * to[ga];
+    move[3 * f + 1] += by * to[gb];
+    move[3 * f + 2] += by * to[up];
+  };
+  for (let i = 0; i <= plants.length; i++) {
+    const from = i > 0 ? plants[i - 1].to : 0;
+    const to = i < plants.length ? plants[i].from : n;
+    const last = i > 0 ? legOf(from - 1).more : 0;
+    const next = i < plants.length ? legOf(to).more : 0;
+    for (let f = from; f < to; f++) {
+      const since = i > 0 ? 1 - smoothstep((f - from + 1) / reach) : 0;
+      const till = i < plants.length ? 1 - smoothstep((to - f) / reach) : 0;
+      const total = since + till;
+      if (total > 0) settle(f, (since * last + till * next) / total, Math.min(1, total));
+    }
+  }
+}
+
+/** Sines of a knee's bend between which its plane goes over from the hinge's to the capture's. */
+const HINGE_FROM = 0.1;
+const HINGE_TO = 0.35;
+
+/** The knee's axis in the thigh's own frame: the mean of what the bent frames show; of length 1. */
+export function hingeOf(leg: Leg, { q, p, joints: count, frames: n }: FileMotion): Float64Array {
+  const out = new Float64Array(3);
+  const inverse = new Float64Array(4);
+  const v = new Float64Array(3);
+  for (let f = 0; f < n; f++) {
+    const [h, k, a] = [leg.thigh, leg.shank, leg.foot].map((j) => 3 * (f * count + j));
+    const t = [0, 1, 2].map((c) => p[k + c] - p[h + c]);
+    const s = [0, 1, 2].map((c) => p[a + c] - p[k + c]);
+    quatConjugate(inverse, 0, q, 4 * (f * count + leg.thigh));
+    const cross = [t[1] * s[2] - t[2] * s[1], t[2] * s[0] - t[0] * s[2], t[0] * s[1] - t[1] * s[0]];
+    quatRotate(v, 0, inverse, 0, cross[0], cross[1], cross[2]);
+    for (let c = 0; c < 3; c++) out[c] += v[c];
+  }
+  const l = Math.hypot(out[0], out[1], out[2]) || 1;
+  return out.map((x) => x / l);
+}
+
 const w = new Float64Array(36);
 const axis = new Float64Array(3);
 
@@ -66,6 +143,7 @@ export function closeLeg(
   { q, p, joints: count, axes: [ga, gb, up] }: FileMotion,
   shift: Float64Array,
   correction: FootCorrection,
+  hinge: Float64Array,
 ): void {
   const { move, heading } = correction;
   const turn = correction.turn[f];
@@ -103,11 +181,20 @@ export function closeLeg(
   dy /= distance;
   dz /= distance;
   const reach = Math.min(distance, (a + b) * 0.9999);
-  // The knee stays in the plane that the capture shows.
-  const along = thigh[0] * dx + thigh[1] * dy + thigh[2] * dz;
-  let px = thigh[0] - along * dx;
-  let py = thigh[1] - along * dy;
-  let pz = thigh[2] - along * dz;
+  // The knee stays in the plane that the capture shows; a straight one shows none, there its hinge says.
+  const nx = thigh[1] * shank[2] - thigh[2] * shank[1];
+  const ny = thigh[2] * shank[0] - thigh[0] * shank[2];
+  const nz = thigh[0] * shank[1] - thigh[1] * shank[0];
+  const bent = Math.hypot(nx, ny, nz);
+  const shows = smoothstep((bent - HINGE_FROM) / (HINGE_TO - HINGE_FROM)) / Math.max(1e-9, bent);
+  quatRotate(w, 0, q, 4 * (f * count + leg.thigh), hinge[0], hinge[1], hinge[2]);
+  const hinged = 1 - shows * bent;
+  const mx = shows * nx + hinged * w[0];
+  const my = shows * ny + hinged * w[1];
+  const mz = shows * nz + hinged * w[2];
+  let px = dy * mz - dz * my;
+  let py = dz * mx - dx * mz;
+  let pz = dx * my - dy * mx;
   const length = Math.hypot(px, py, pz) || 1e-9;
   px /= length;
   py /= length;

@@ -20,8 +20,8 @@ export interface FootCorrection {
   heading: Float64Array;
   /** frames x 3: two ground axes, height; metres. */
   move: Float64Array;
-  /** Plants found. */
-  plants: number;
+  /** Planted stretches, first frame and one past the last, with the still frames beside them. */
+  plants: { from: number; to: number }[];
 }
 
 export interface RollOptions {
@@ -36,6 +36,8 @@ export interface RollOptions {
 const BESIDE = 0.07;
 const BESIDE_HEIGHT = 0.035;
 const BESIDE_SPEED = 0.5;
+/** Faster than this nothing stands, whatever its label: metres a second at a leg of 0.93 m. */
+const LANDED = 0.9;
 /** Softness of what is done to heights, seconds. */
 const HEIGHT_SOFT = 0.1;
 /** Plants whose heights differ by more than this are taken to stand on uneven ground, metres at a leg of 0.93 m. */
@@ -79,7 +81,7 @@ export function correctFoot(
     turn: new Float64Array(n),
     heading: new Float64Array(2 * n),
     move: new Float64Array(3 * n),
-    plants: 0,
+    plants: [],
   };
   for (let f = 0; f < n; f++) {
     const o = f * PAD_ROW;
@@ -91,7 +93,7 @@ export function correctFoot(
   }
   const points = pads.points.slice();
   const { plants, worn } = findPlants(pads, bits, o);
-  out.plants = plants.length;
+  out.plants = plants;
   for (const plant of plants) {
     holdSlopes(points, worn, plant, out, o.rate);
     holdHeading(points, worn, plant, out.turn);
@@ -122,7 +124,15 @@ function findPlants(pads: PadTrack, bits: Uint8Array, o: RollOptions): { plants:
     }
     let to = f;
     while (to < n && bits[to]) to++;
+    const labelled = to;
     let from = f;
+    // A label that comes a frame too early or goes a frame too late holds a foot that no force holds.
+    const fast = (g: number, bit: number): boolean => {
+      stillest(slide, pads.points, g, bit);
+      return Math.hypot(slide[0], slide[1]) * o.rate > LANDED * scale;
+    };
+    while (from + 2 < to && bits[from] !== 3 && fast(from, bits[from])) worn[from++] = 0;
+    while (to - 2 > from && bits[to - 1] !== 3 && fast(to - 2, bits[to - 1])) worn[--to] = 0;
     const lastEnd = plants.length > 0 ? plants[plants.length - 1].to : 0;
     for (let k = 0; k < reach && from > lastEnd + 1; k++) {
       const bit = bits[f] & 1 ? 1 : 2;
@@ -138,7 +148,7 @@ function findPlants(pads: PadTrack, bits: Uint8Array, o: RollOptions): { plants:
       end++;
     }
     plants.push({ from, to: end, height: 0 });
-    f = Math.max(to, end);
+    f = Math.max(labelled, end);
   }
   return { plants, worn };
 }
