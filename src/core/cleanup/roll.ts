@@ -46,7 +46,7 @@ const UNEVEN = 0.075;
 const SETTLE = 0.13;
 
 /** Of what the slope of a flat foot changes, this share is taken out; it fades beside the flat frames in so many seconds. */
-const SLOPE_SHARE = 0.8;
+const SLOPE_SHARE = 0.95;
 const SLOPE_FADE = 0.1;
 
 const smooth = (u: number): number => {

@@ -46,9 +46,11 @@ const TIP_FORWARD = 0.5;
 const SHOE = 1.15;
 /** Heights of planted toe joints over a floor at 0 that can be believed, and the usual one, at a leg of 0.93 m. */
 const BALL_LEAST = 0.008;
-const BALL_MOST = 0.066;
-const BALL_USUAL = 0.027;
+const BALL_MOST = 0.0595;
+const BALL_USUAL = 0.0247;
 const ANKLE_USUAL = 0.09;
+/** Resting heights of left and right that differ by more than this are no matter of shape, at a leg of 0.93 m. */
+const UNALIKE = 0.009;
 /** Ankle to ball where there are no toes: of the leg. */
 const BASE = 0.135;
 
@@ -72,6 +74,8 @@ export function padsOf(
   const heights = feet.map((foot, side) =>
     median(flats[side].map((f) => height(motion, foot.toes < 0 ? foot.foot : foot.toes, f, up))),
   );
+  // Feet of one body are alike: when one rests much higher, the figure drifts up and down, and the truth is between.
+  if (Math.abs(heights[0] - heights[1]) > UNALIKE * s) heights.fill((heights[0] + heights[1]) / 2);
   const toed = feet.every((f) => f.toes >= 0);
   const usual = (toed ? BALL_USUAL : ANKLE_USUAL) * s;
   const least = (toed ? BALL_LEAST : 0.05) * s;
@@ -79,7 +83,7 @@ export function padsOf(
   const atZero = heights.every((h) => h >= least && h <= most);
   const ground = atZero ? 0 : Math.min(...heights) - usual;
   return feet.map((foot, side) =>
-    padsOfFoot(motion, foot, flats[side], ground, leg, (f) => forward(f, side)),
+    padsOfFoot(motion, foot, flats[side], heights[side] - ground, ground, leg, (f) => forward(f, side)),
   );
 }
 
@@ -128,6 +132,7 @@ function padsOfFoot(
   m: FileMotion,
   foot: FootJoints,
   flat: number[],
+  rest: number,
   ground: number,
   leg: number,
   forward: (f: number) => readonly [number, number],
@@ -164,9 +169,10 @@ function padsOfFoot(
   const upToes = mean(toes, () => upward);
   const aheadFoot = upright(mean(foot.foot, ahead), upFoot);
   const aheadToes = upright(mean(toes, ahead), upToes);
-  const ankle = median(flat.map((f) => height(m, foot.foot, f, up))) - ground;
+  const rise = median(flat.map((f) => height(m, foot.foot, f, up) - height(m, toes, f, up)));
+  const ankle = rest + rise;
   const length = foot.toes < 0 ? BASE * leg : median(flat.map((f) => gap(m, foot.foot, foot.toes, f)));
-  const ball = foot.toes < 0 ? 0.2 * ankle : median(flat.map((f) => height(m, foot.toes, f, up))) - ground;
+  const ball = foot.toes < 0 ? 0.2 * ankle : rest;
   const tip = SHOE * (foot.toeEnd > 0.1 * length ? foot.toeEnd : TIP_FORWARD * length);
   const out: PadTrack = { frames: m.frames, points: new Float64Array(PAD_ROW * m.frames), ground };
   const put = (
