@@ -7,8 +7,9 @@
 import type { BvhFile } from "../capture/bvh-parse.ts";
 import { worldOf } from "../capture/bvh-world.ts";
 import type { Clip } from "../capture/clip.ts";
-import { mapJoints } from "../capture/names.ts";
+import { jointsOf } from "../capture/import.ts";
 import { LEG_ROW, POINT, trackOf } from "../contacts/motion-track.ts";
+import type { JointName } from "../skeleton/joints.ts";
 import type { ContactTrack } from "../steps/types.ts";
 import { fileMotion, writeRoot } from "./file-motion.ts";
 import { closeLeg, hingeOf, type Leg, lowerRoot, settleKnee } from "./legs.ts";
@@ -31,17 +32,15 @@ const BLEND = 0.5;
  *
  * @param clip the same motion on the project's skeleton at 60 Hz (what importBvh gives).
  * @param contacts its contacts, one byte a clip frame.
+ * @param joints which of the file's joints ours are; left out, told by their names.
  * @throws Error when thigh, shank and foot do not follow one another in the file's skeleton.
  */
 export function cleanBvh(
   file: BvhFile,
   clip: Clip,
   contacts: ContactTrack,
+  joints: Map<JointName, number> = jointsOf(file),
 ): { file: BvhFile; report: CleanReport } {
-  const joints = mapJoints(
-    file.joints.map((j) => j.name),
-    file.joints.map((j) => j.parent),
-  );
   const legs = (["left", "right"] as const).map((side): Leg & FootJoints => {
     const index = (name: "UpperLeg" | "LowerLeg" | "Foot" | "Toes") => joints.get(`${side}${name}`) ?? -1;
     const leg = { thigh: index("UpperLeg"), shank: index("LowerLeg"), foot: index("Foot") };
