@@ -54,9 +54,12 @@ export interface PlanInput {
   keptTask: TaskGoal | null;
   /** Whether to record the optimiser's terms. */
   trace: boolean;
+  /** Feet that the user asks for, by "task index:count of the step among those that lead to it". */
+  feetWished?: ReadonlyMap<string, Foot>;
 }
 
 interface Context {
+  feetWished: ReadonlyMap<string, Foot>;
   library: Library;
   skeleton: Skeleton;
   walks: Walks;
@@ -94,6 +97,7 @@ export function planTasks(input: PlanInput): Plan {
     warnings: [],
   };
   const context: Context = {
+    feetWished: input.feetWished ?? new Map(),
     library,
     skeleton,
     walks,
@@ -351,6 +355,7 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
   let after: WalkWish["after"] = lastSegment(context);
   const firstStep = context.timeline.steps.length;
   const fresh: DraftStep[] = [];
+  const earlier = context.timeline.steps.reduce((n, s) => (s.task === index ? n + 1 : n), 0);
   const beforeLocomotion: Feet = { ...feet };
   const beforeFoot = context.lastFoot;
   for (let guard = 0; guard < MOST_STEPS; guard++) {
@@ -365,7 +370,9 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
       remaining += groundDistance(entry.route[k - 1], entry.route[k]);
     if (via === entry.route.length - 1 && remaining < 2.4 * length) break;
     const course = bearing(middle, goal);
-    const foot = context.lastFoot ? otherFoot(context.lastFoot) : towards(feet, course);
+    const foot =
+      context.feetWished.get(`${index}:${earlier + fresh.length}`) ??
+      (context.lastFoot ? otherFoot(context.lastFoot) : towards(feet, course));
     const stance = feet[otherFoot(foot)];
     const turn = wrapAngle(course - stance.yaw);
     const wish: WalkWish = {
@@ -391,7 +398,7 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
     context.lastFoot = foot;
     after = { clip: step.clip, step: step.step };
   }
-  prepareEntry(context, entry, index, fresh, beforeLocomotion);
+  prepareEntry(context, entry, index, fresh, beforeLocomotion, earlier);
   context.feet = beforeLocomotion;
   context.lastFoot = beforeFoot;
   for (const s of fresh) lay(context, s, index, null);
@@ -399,12 +406,27 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
 }
 
 /** Enter Task Preparation: further steps where they are needed, and the last three re-optimised [TaskLoco §5.5]. */
-function prepareEntry(context: Context, entry: Entry, index: number, fresh: DraftStep[], before: Feet): void {
+function prepareEntry(
+  context: Context,
+  entry: Entry,
+  index: number,
+  fresh: DraftStep[],
+  before: Feet,
+  earlier: number,
+): void {
   const { walks } = context;
   const feet = context.feet;
   const last = context.lastFoot;
   const here = last ? feet[last] : midPose(feet.left, feet.right);
-  const extra = stepsToStance(groundDistance(here, entry.aim), last, entry.stanceFoot, walks.length);
+  let extra = stepsToStance(groundDistance(here, entry.aim), last, entry.stanceFoot, walks.length);
+  // The last step's foot is the entry's to say: a foot asked for on the way costs a step more.
+  for (let k = 0; k < extra; k++) {
+    const wished = context.feetWished.get(`${index}:${earlier + fresh.length + k}`);
+    const planned = (extra - k) % 2 === 1 ? entry.stanceFoot : otherFoot(entry.stanceFoot);
+    if (wished === undefined || wished === planned) continue;
+    extra++;
+    break;
+  }
   if (extra > 0) {
     const first = extra % 2 === 1 ? entry.stanceFoot : otherFoot(entry.stanceFoot);
     const steps = approachSteps(walks, feet, first, extra, entry.aim, context.carrying);
