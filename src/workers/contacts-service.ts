@@ -207,8 +207,9 @@ export function createContactsService(post: PostContacts): (request: ContactsReq
       case "library": {
         const clips = r.entries.map((e) => {
           const o = known(e.key);
-          const clip = { ...o.clip, name: e.key };
-          const made = prepareClip({ name: e.key, clip, tasks: e.tasks, contacts: asRested(e.contacts) });
+          const name = `own/${e.key}`;
+          const clip = { ...o.clip, name };
+          const made = prepareClip({ name, clip, tasks: e.tasks, contacts: asRested(e.contacts) });
           return e.steps ? { ...made, steps: e.steps } : made;
         });
         const library = assembleLibrary(clips, true);

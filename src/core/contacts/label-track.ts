@@ -33,7 +33,7 @@ export class LabelTrack {
   private future: Snapshot[] = [];
   private mark: Snapshot | null = null;
 
-  constructor(labels: ContactTrack, confirmed = new Uint8Array(labels.length)) {
+  constructor(labels: ContactTrack, confirmed: Uint8Array = new Uint8Array(labels.length)) {
     if (confirmed.length !== labels.length)
       throw new RangeError(`${confirmed.length} marks for ${labels.length} labels.`);
     this.labels = labels.slice();

@@ -2,13 +2,18 @@
  * The captures that a person has brought: opening, labelling, training, cleaning, joining the library. Page parts draw
  * from it and call it; the worker does the work.
  */
-import { type Segment, SEGMENT } from "../../core/contacts/active-learning.ts";
+
+import type { SidecarTask } from "../../core/capture/sidecar.ts";
+import { SEGMENT, type Segment } from "../../core/contacts/active-learning.ts";
 import { contactsCsv, parseContactsCsv } from "../../core/contacts/csv.ts";
 import { LabelTrack } from "../../core/contacts/label-track.ts";
+import type { Step } from "../../core/steps/types.ts";
 import type { Editor } from "../editor.ts";
 import { download } from "../formats/download.ts";
 import type { Capture, Stretch } from "./capture.ts";
 import { CancelledError, ContactsClient, type Progress } from "./client.ts";
+import type { DeskTab } from "./desk-panel.ts";
+import { fetchCapture, type PublicCapture, publicCaptures } from "./public-list.ts";
 import { forgetCapture, keepCapture, keepLibrary, loadCaptures, loadLibrary } from "./storage.ts";
 
 /** Milliseconds after the last edit at which labels are kept. */
@@ -25,8 +30,10 @@ export class CaptureSession {
   segments: (Segment & { key: string })[] = [];
   playing = false;
   speed = 1;
-  compare = false;
-  method: "oracle" | "height" | "speed" = "oracle";
+  tab: DeskTab = "labels";
+  /** Feet laid over each other in time: as captured, as cleaned, or not. */
+  feetShown: "none" | "before" | "after" = "none";
+  publicList: PublicCapture[] = [];
   private readonly client: ContactsClient;
   private busy: number | null = null;
   private keepTimer = 0;
@@ -168,7 +175,10 @@ export class CaptureSession {
     this.e.say("Reading captures was restarted. Nothing was lost.", false);
     for (const c of this.captures)
       await this.ask(() =>
-        this.client.ask({ type: "open", key: c.key, name: c.name, file: c.file, mapping: c.mapping }, "opened"),
+        this.client.ask(
+          { type: "open", key: c.key, name: c.name, file: c.file, mapping: c.mapping },
+          "opened",
+        ),
       );
     await this.train();
   }
@@ -260,6 +270,78 @@ export class CaptureSession {
     if (c) this.keepTimer = window.setTimeout(() => void this.keep(c), KEEP_AFTER);
   }
 
+  /** An edit by a button. */
+  act(edit: () => unknown): void {
+    edit();
+    this.edited();
+  }
+
+  setTab(tab: DeskTab): void {
+    this.tab = tab;
+    this.changed();
+  }
+
+  showFeet(shown: CaptureSession["feetShown"]): void {
+    this.feetShown = shown;
+    this.changed();
+  }
+
+  /** Tasks of a capture; its steps and phases are found anew. */
+  setTasks(c: Capture, tasks: SidecarTask[]): void {
+    c.tasks = tasks;
+    this.edited();
+    void this.findSteps(c);
+  }
+
+  /** A step corrected by hand. Frames are held inside the clip and in order. */
+  editStep(
+    c: Capture,
+    index: number,
+    change: Partial<Pick<Step, "start" | "end" | "category" | "phase">>,
+  ): void {
+    const steps = [...(c.steps ?? [])];
+    const before = steps[index];
+    if (!before) return;
+    const s = { ...before, ...change };
+    const last = c.edits.frames - 1;
+    s.start = Math.max(0, Math.min(last - 1, Math.round(s.start)));
+    s.end = Math.max(s.start + 1, Math.min(last, Math.round(s.end)));
+    s.airStart = Math.max(s.start, Math.min(s.end, s.airStart));
+    s.airEnd = Math.max(s.airStart, Math.min(s.end, s.airEnd));
+    steps[index] = s;
+    c.steps = steps;
+    c.stepsEdited = true;
+    this.edited();
+  }
+
+  pickFiles(): void {
+    this.e.files.pick();
+  }
+
+  /** The list of public captures; a sentence where it cannot be read. */
+  async loadPublicList(): Promise<void> {
+    if (this.publicList.length > 0) return;
+    try {
+      this.publicList = await publicCaptures();
+    } catch (error) {
+      this.e.fail(error instanceof Error ? error.message : String(error));
+    }
+    this.changed();
+  }
+
+  async fetchPublic(p: PublicCapture): Promise<void> {
+    try {
+      await this.open([await fetchCapture(p)]);
+    } catch (error) {
+      this.e.fail(error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  setSpeed(speed: number): void {
+    this.speed = speed;
+    this.changed();
+  }
+
   private async keep(c: Capture): Promise<void> {
     const { key, name, file, mapping, tasks, inLibrary } = c;
     const ok = await keepCapture({
@@ -299,7 +381,7 @@ export class CaptureSession {
   openSegments(): (Segment & { key: string })[] {
     return this.segments.filter((s) => {
       const c = this.captures.find((x) => x.key === s.key);
-      return c && c.edits.confirmed.subarray(s.first, s.last).includes(0);
+      return c?.edits.confirmed.subarray(s.first, s.last).includes(0) === true;
     });
   }
 
@@ -387,7 +469,7 @@ export class CaptureSession {
     const m = await this.ask(() => this.client.ask({ type: "clean", key: c.key, contacts }, "cleaned"));
     if (!m) return;
     c.cleaned = { text: m.text, clip: m.clip, report: m.report, skate: m.skate };
-    this.compare = true;
+    this.feetShown = "after";
     this.e.announce(
       `Cleaned. Skate ${m.skate[0].toFixed(1)} millimetres before, ${m.skate[1].toFixed(1)} after.`,
     );

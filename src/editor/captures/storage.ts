@@ -62,4 +62,4 @@ export const loadLibrary = async (): Promise<Uint8Array | null> =>
   (await use((db) => db.get(THINGS, LIBRARY) as Promise<Uint8Array | undefined>)) ?? null;
 
 export const keepLibrary = (bytes: Uint8Array | null): Promise<unknown> =>
-  use((db) => (bytes ? db.put(THINGS, bytes, LIBRARY) : db.delete(THINGS, LIBRARY)));
+  use<unknown>((db) => (bytes ? db.put(THINGS, bytes, LIBRARY) : db.delete(THINGS, LIBRARY)));

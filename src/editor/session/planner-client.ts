@@ -19,6 +19,7 @@ export class PlannerClient {
   private newest: Extract<PlannerRequest, { type: "plan" }> | null = null;
   private restarts = 0;
   private ready = false;
+  private own: Uint8Array | null = null;
 
   constructor(
     private readonly libraryUrl: string,
@@ -51,7 +52,14 @@ export class PlannerClient {
     worker.onmessageerror = () => {
       if (worker === this.worker) this.restart();
     };
+    if (this.own) this.send({ type: "own", bytes: this.own });
     this.send({ type: "load", url: this.libraryUrl });
+  }
+
+  /** A person's own library beside the shipped one, or none; the newest scene is planned anew with it. */
+  useOwn(bytes: Uint8Array | null): void {
+    this.own = bytes;
+    this.send({ type: "own", bytes });
   }
 
   /** Replaces the worker; the newest request is sent again once the library is loaded. */
