@@ -6,6 +6,9 @@ import { renderScore } from "../../src/studio/render.ts";
 import { styleScore } from "../../src/studio/styles.ts";
 import { captures, hasShared } from "../support/shared.ts";
 
+// The motion does not start by itself: what is tested is the desk.
+test.use({ contextOptions: { reducedMotion: "reduce" } });
+
 /** Files dropped on the page, as from a folder. */
 async function drop(page: Page, files: { name: string; text: string }[]): Promise<void> {
   const data = await page.evaluateHandle((list) => {

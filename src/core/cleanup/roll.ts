@@ -33,11 +33,13 @@ export interface RollOptions {
 }
 
 /** A foot that is still low and slow beside its plant belongs to it, for so long: seconds, metres, metres a second at a leg of 0.93 m. */
-const BESIDE = 0.07;
-const BESIDE_HEIGHT = 0.035;
-const BESIDE_SPEED = 0.5;
+const BESIDE = 0.1;
+const BESIDE_HEIGHT = 0.06;
+const BESIDE_SPEED = 0.9;
 /** Faster than this nothing stands, whatever its label: metres a second at a leg of 0.93 m. */
 const LANDED = 0.9;
+/** Faster than this the figure is elsewhere, metres a second at a leg of 0.93 m. */
+const JUMP = 8;
 /** Softness of what is done to heights, seconds. */
 const HEIGHT_SOFT = 0.1;
 /** Plants whose heights differ by more than this are taken to stand on uneven ground, metres at a leg of 0.93 m. */
@@ -117,13 +119,21 @@ function findPlants(pads: PadTrack, bits: Uint8Array, o: RollOptions): { plants:
     stillest(slide, pads.points, Math.min(f, g), bit);
     return low < BESIDE_HEIGHT * scale && Math.hypot(slide[0], slide[1]) * o.rate < BESIDE_SPEED * scale;
   };
+  // Nothing that is planted is carried elsewhere in a frame: a capture that jumps begins anew there.
+  const jumps = (f: number): boolean => {
+    const a = f * PAD_ROW + PAD.joint;
+    const b = a + PAD_ROW;
+    const x = pads.points[b] - pads.points[a];
+    const z = pads.points[b + 1] - pads.points[a + 1];
+    return Math.hypot(x, z) * o.rate > JUMP * scale;
+  };
   for (let f = 0; f < n; ) {
     if (!bits[f]) {
       f++;
       continue;
     }
-    let to = f;
-    while (to < n && bits[to]) to++;
+    let to = f + 1;
+    while (to < n && bits[to] && !jumps(to - 1)) to++;
     const labelled = to;
     let from = f;
     // A label that comes a frame too early or goes a frame too late holds a foot that no force holds.

@@ -9,7 +9,7 @@ import type { Examples } from "./examples.ts";
 import { examplesPerFrame, type FeatureOptions, featureSize, featuresOf } from "./features.ts";
 import { type MotionTrack, mirrorTrack } from "./motion-track.ts";
 import { createNearestIndex, createNearestSearch, findNearest, type NearestIndex } from "./nearest.ts";
-import { dropShort } from "./runs.ts";
+import { dropMoving, dropShort } from "./runs.ts";
 
 /** A motion with its labels; frames with a mask of 0 are not learned from. */
 export interface LabelledTrack {
@@ -143,7 +143,9 @@ export function* askInSlices(
       if ((f + 1) % slice === 0) yield (e + (f + 1) / n) / per;
     }
   }
-  return { labels: labelsOf(share, n, options), share, distance };
+  const labels = labelsOf(share, n, options);
+  if (options.shortest > 0) dropMoving(labels, track);
+  return { labels, share, distance };
 }
 
 /** Shares of votes of one example's neighbours. */
