@@ -5,12 +5,15 @@
  */
 import {
   BufferGeometry,
+  CircleGeometry,
   Float32BufferAttribute,
   Group,
   Line,
   LineBasicMaterial,
   LineDashedMaterial,
   LineLoop,
+  Mesh,
+  MeshBasicMaterial,
   NeutralToneMapping,
   type Object3D,
   PerspectiveCamera,
@@ -28,7 +31,9 @@ import type { Scene } from "../core/scene/types.ts";
 import type { Skeleton } from "../core/skeleton/skeleton.ts";
 import type { CharacterMesh } from "./character/build-mesh.ts";
 import { Figure } from "./character/figure.ts";
+import type { Guest } from "./character/guest.ts";
 import { type Footprint, FootprintLayer, type FootprintMode } from "./footprints.ts";
+import { FrameBudget } from "./frame-budget.ts";
 import { PathLines } from "./path-lines.ts";
 import { boxMesh, createProp } from "./props.ts";
 import { createRoom, type Room } from "./room.ts";
@@ -51,19 +56,23 @@ export class Stage {
   private readonly paths = new PathLines();
   private readonly footprints = new FootprintLayer();
   private figure: Figure | null = null;
+  private guest: Guest | null = null;
   private readonly props = new Group();
   private readonly taskMarks = new Group();
   private readonly boxes = new Map<string, Object3D>();
   private readonly inkLines = new Map<number, Line>();
   private theme: Theme = "light";
   private waiting = 0;
+  private readonly budget = new FrameBudget(() => this.drawFull());
+  /** Whether the last picture was drawn in full while frames are spared. */
+  private full = true;
   private free: FreeRect = { left: 0, top: 0, right: 0, bottom: 0 };
   private size = { width: 1, height: 1 };
   /** Called after each drawn frame, for what lies over the canvas. */
   onDraw: () => void = () => undefined;
 
   /** @throws Error when the browser has no WebGL 2. */
-  constructor(private readonly canvas: HTMLCanvasElement) {
+  constructor(readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.shadowMap.enabled = true;
@@ -116,7 +125,9 @@ export class Stage {
         )
       )
         continue;
-      this.props.add(createProp(p));
+      const prop = createProp(p);
+      prop.userData.id = p.id;
+      this.props.add(prop);
     }
     for (const [id, o] of this.boxes) {
       if (!lifted.some((t) => t.id === id)) {
@@ -162,6 +173,15 @@ export class Stage {
         new LineBasicMaterial({ color: ink, transparent: true, opacity: selected.includes(t.id) ? 1 : 0.45 }),
       );
       ring.position.set(t.position[0], 0.006, t.position[2]);
+      if (selected.includes(t.id)) {
+        const disc = new Mesh(
+          new CircleGeometry(0.3, 48).rotateX(-Math.PI / 2),
+          new MeshBasicMaterial({ color: ink, transparent: true, opacity: 0.1, depthWrite: false }),
+        );
+        disc.position.set(t.position[0], 0.003, t.position[2]);
+        disc.renderOrder = 1;
+        this.taskMarks.add(disc);
+      }
       this.taskMarks.add(stem, ring);
     }
     this.invalidate();
@@ -174,7 +194,17 @@ export class Stage {
     }
     this.figure = new Figure(skeleton, mesh);
     this.figure.setTheme(this.theme);
+    this.figure.group.visible = this.guest === null;
     this.scene.add(this.figure.group);
+    this.invalidate();
+  }
+
+  /** A character from a file instead of our own; null for our own again. */
+  setGuest(guest: Guest | null): void {
+    if (this.guest) this.scene.remove(this.guest.group);
+    this.guest = guest;
+    if (guest) this.scene.add(guest.group);
+    if (this.figure) this.figure.group.visible = guest === null;
     this.invalidate();
   }
 
@@ -184,11 +214,13 @@ export class Stage {
 
   setPose(root: ArrayLike<number>, r: number, rotations: ArrayLike<number>, o: number): void {
     this.figure?.setPose(root, r, rotations, o);
+    this.guest?.setPose(root, r, rotations, o);
     this.invalidate();
   }
 
-  setFootprints(prints: Footprint[], mode: FootprintMode): void {
-    this.footprints.set(prints, mode);
+  /** @param chosen indices of prints that are selected. */
+  setFootprints(prints: Footprint[], mode: FootprintMode, chosen: readonly number[] = []): void {
+    this.footprints.set(prints, mode, chosen);
     this.invalidate();
   }
 
@@ -268,6 +300,13 @@ export class Stage {
     return hit && hit.distanceTo(this.camera.position) < 40 ? [hit.x, hit.z] : null;
   }
 
+  /** Id of the furniture that a ray meets first; null for none. */
+  propOn(ray: Raycaster): string | null {
+    let o: Object3D | null = ray.intersectObjects(this.props.children, true)[0]?.object ?? null;
+    while (o && typeof o.userData.id !== "string") o = o.parent;
+    return o ? (o.userData.id as string) : null;
+  }
+
   /** Index of the footprint that a ray meets first; -1 for none. */
   footprintOn(ray: Raycaster): number {
     return ray.intersectObject(this.footprints.fill, false)[0]?.instanceId ?? -1;
@@ -301,8 +340,7 @@ export class Stage {
   resize(width: number, height: number, free: FreeRect): void {
     this.size = { width: Math.max(1, width), height: Math.max(1, height) };
     this.free = free;
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
-    this.renderer.setSize(this.size.width, this.size.height, false);
+    this.setDetail(this.budget.sparing);
     this.camera.aspect = this.size.width / this.size.height;
     // The middle of the picture is the middle of the free part.
     this.camera.setViewOffset(
@@ -317,10 +355,15 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Draws at once and in full, for those who read the canvas in the same turn. */
+  drawNow(): void {
+    this.drawFull();
+  }
+
   /** What is drawn, as a PNG. @throws Error when the browser gives none. */
   picture(): Promise<Blob> {
     // Drawn and read in the same turn: the buffer is not kept afterwards.
-    this.renderer.render(this.scene, this.camera);
+    this.drawNow();
     return new Promise((resolve, reject) => {
       this.canvas.toBlob((blob) => {
         if (blob) resolve(blob);
@@ -332,14 +375,30 @@ export class Stage {
   /** Asks for a frame. */
   invalidate(): void {
     if (this.waiting) return;
-    this.waiting = requestAnimationFrame(() => {
+    this.waiting = requestAnimationFrame((now) => {
       this.waiting = 0;
+      if (this.budget.frame(now) || this.full) this.setDetail(this.budget.sparing);
+      this.full = false;
       this.renderer.render(this.scene, this.camera);
       this.onDraw();
     });
   }
 
+  /** The picture has come to rest: once more in full. */
+  private drawFull(): void {
+    this.setDetail(false);
+    this.full = true;
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  private setDetail(sparing: boolean): void {
+    this.renderer.setPixelRatio(sparing ? 1 : Math.min(2, window.devicePixelRatio || 1));
+    this.renderer.setSize(this.size.width, this.size.height, false);
+    this.room.setDetail(sparing);
+  }
+
   dispose(): void {
+    this.budget.dispose();
     cancelAnimationFrame(this.waiting);
     this.controls.dispose();
     this.room.dispose();

@@ -31,7 +31,7 @@ const STRETCH: readonly [number, number] = [0.5, 2.5];
 
 /** Index in the plan of the step that an edit means; -1 when the plan has none such. */
 export function stepOfEdit(
-  edit: FootstepEdit,
+  edit: Pick<FootstepEdit, "task" | "step">,
   steps: readonly PlannedStep[],
   taskIds: readonly string[],
 ): number {

@@ -30,8 +30,11 @@ export interface ThingKind {
   noun: string;
   /** Place of its list. */
   order: number;
-  /** How its handle is drawn over the viewport; "none" for things picked in the stage itself. */
-  handle: "ball" | "dot" | "none";
+  /**
+   * How its handle is drawn over the viewport: "selected" shows one only while the thing is selected, "none" never; both are
+   * picked in the stage itself.
+   */
+  handle: "ball" | "dot" | "selected" | "none";
   /** All of them, in the order of the plan. */
   list(e: Editor): Thing[];
   /** Whether handles are shown now; left out: always. */
@@ -48,6 +51,8 @@ export interface ThingKind {
   tab?: string;
   /** Words beside the pointer while it hovers. */
   hint?: string;
+  /** A drag moves it only once it is selected; before that the camera turns, and a click selects. For large things. */
+  clickFirst?: boolean;
   /** For things picked in the stage: a drag that begins on one. */
   grab?(e: Editor, r: Ref, p: ToolPointer): Gesture | null;
   /** A key while it is selected and its handle has the focus. @returns whether it was used. */
