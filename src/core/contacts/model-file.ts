@@ -2,8 +2,8 @@
  * The oracle as bytes: the labelled motions that it remembers, not their windows, which are made again on reading; and the
  * examples that it began with, where it began with any.
  *
- *     magic "SWO2" | uint32 length of the head | uint32 length of the body
- *     | head: deflated JSON | body: deflated Float32 points and roots | base: deflated bytes of examples
+ *     magic "SWO2" | uint32 length of the head | head: deflated JSON
+ *     | body, deflated: Float32 points and roots, then the bytes of the examples
  */
 import { deflateSync, inflateSync, strFromU8, strToU8 } from "fflate";
 import * as v from "valibot";
@@ -67,43 +67,43 @@ export function encodeOracle(oracle: Oracle): Uint8Array {
     at += track.frames * ROW;
   }
   const json = deflateSync(strToU8(JSON.stringify(known)));
-  const data = deflateSync(new Uint8Array(body.buffer));
-  const base = oracle.base ? deflateSync(packExamples(oracle.base)) : new Uint8Array(0);
-  const out = new Uint8Array(12 + json.length + data.length + base.length);
+  const tracks = new Uint8Array(body.buffer);
+  const examples = oracle.base ? packExamples(oracle.base) : new Uint8Array(0);
+  const both = new Uint8Array(tracks.length + examples.length);
+  both.set(tracks);
+  both.set(examples, tracks.length);
+  const data = deflateSync(both);
+  const out = new Uint8Array(8 + json.length + data.length);
   out.set(strToU8(MAGIC), 0);
-  const lengths = new DataView(out.buffer);
-  lengths.setUint32(4, json.length, true);
-  lengths.setUint32(8, data.length, true);
-  out.set(json, 12);
-  out.set(data, 12 + json.length);
-  out.set(base, 12 + json.length + data.length);
+  new DataView(out.buffer).setUint32(4, json.length, true);
+  out.set(json, 8);
+  out.set(data, 8 + json.length);
   return out;
 }
 
 /** @throws ModelError when the bytes are no model, or broken. */
 export function decodeOracle(bytes: Uint8Array, name: string): Oracle {
-  if (bytes.length < 12 || strFromU8(bytes.subarray(0, 4)) !== MAGIC)
+  if (bytes.length < 8 || strFromU8(bytes.subarray(0, 4)) !== MAGIC)
     throw new ModelError(`${name}: this is no contact model.`);
-  const lengths = new DataView(bytes.buffer, bytes.byteOffset);
-  const bodyFrom = 12 + lengths.getUint32(4, true);
-  const baseFrom = bodyFrom + lengths.getUint32(8, true);
+  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(4, true);
   let known: Head;
   let body: Float32Array;
   let base: Examples | null = null;
   try {
-    known = v.parse(head, JSON.parse(strFromU8(inflateSync(bytes.subarray(12, bodyFrom)))));
-    const raw = inflateSync(bytes.subarray(bodyFrom, baseFrom));
-    if (raw.byteLength % 4 !== 0) throw new RangeError("no whole numbers");
-    body = new Float32Array(raw.buffer.slice(raw.byteOffset, raw.byteOffset + raw.byteLength));
-    if (known.base > 0)
-      base = unpackExamples(inflateSync(bytes.subarray(baseFrom)), featureSize(known.options), known.base);
+    known = v.parse(head, JSON.parse(strFromU8(inflateSync(bytes.subarray(8, 8 + length)))));
+    const raw = inflateSync(bytes.subarray(8 + length));
+    const tracks = 4 * ROW * known.tracks.reduce((n, t) => n + t.frames, 0);
+    if (raw.byteLength < tracks) throw new RangeError("cut short");
+    body = new Float32Array(raw.slice(0, tracks).buffer);
+    const rest = raw.slice(tracks);
+    if (known.base > 0) base = unpackExamples(rest, featureSize(known.options), known.base);
+    else if (rest.length > 0) throw new RangeError("more than its head says");
   } catch {
     throw new ModelError(`${name}: the contact model is damaged or cut short.`);
   }
   const damaged = (): ModelError => new ModelError(`${name}: the contact model is damaged or cut short.`);
   const frames = known.tracks.reduce((n, t) => n + t.frames, 0);
-  if ((frames === 0 && !base) || frames * ROW !== body.length || !body.every(Number.isFinite))
-    throw damaged();
+  if ((frames === 0 && !base) || !body.every(Number.isFinite)) throw damaged();
   for (const t of known.tracks)
     if (t.labels.length !== t.frames || (t.mask && t.mask.length !== t.frames)) throw damaged();
   if (!base && !known.tracks.some((t) => !t.mask || t.mask.includes(1))) throw damaged();
