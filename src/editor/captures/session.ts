@@ -79,7 +79,10 @@ export class CaptureSession {
       c.stepsEdited = k.steps !== null;
       c.inLibrary = k.inLibrary;
     }
-    if (kept.some((k) => k.confirmed.includes(1))) await this.train();
+    if (this.captures.length > 0) {
+      await this.train();
+      if (!this.current) this.show(this.captures[0]);
+    }
     const library = await loadLibrary();
     if (library) this.e.plan.useLibrary(library);
   }
