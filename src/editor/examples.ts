@@ -6,6 +6,7 @@ import roundTheTable from "../../assets/scenes/round-the-table.json";
 import twoBoxesAway from "../../assets/scenes/two-boxes-away.json";
 import { defaultScene } from "../core/scene/default-scene.ts";
 import { parseScene } from "../core/scene/schema.ts";
+import { pillarScene, riverScene } from "../core/scene/stone-examples.ts";
 import type { Scene } from "../core/scene/types.ts";
 
 export interface Example {
@@ -23,4 +24,6 @@ export const EXAMPLES: readonly Example[] = [
   { name: "Round the table", scene: () => parseScene(roundTheTable) },
   { name: "A lecture", scene: () => parseScene(aLecture) },
   { name: "Two boxes away", scene: () => parseScene(twoBoxesAway) },
+  { name: "River", scene: riverScene },
+  { name: "Pillars", scene: pillarScene },
 ];

@@ -28,6 +28,8 @@ export interface Room {
   group: Group;
   key: DirectionalLight;
   setTheme(theme: Theme): void;
+  /** Whether the floor is drawn: not where a scene has ground of its own. */
+  showFloor(shown: boolean): void;
   /** Draws the light of the surroundings anew: it lives on the graphics card alone and is lost with the context. */
   relight(): void;
   /** Shadows of 512 pixels while frames are spared, of 2048 otherwise. */
@@ -150,6 +152,9 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * 
       grid.uGrid.value.set(t.grid[0]);
       grid.uFine.value = t.grid[1];
       grid.uCoarse.value = t.grid[2];
+    },
+    showFloor(shown) {
+      floor.visible = shown;
     },
     setDetail(sparing) {
       const { shadow } = key;

@@ -63,6 +63,8 @@ export class Stage {
   private readonly inkLines = new Map<number, Line>();
   private theme: Theme = "light";
   private waiting = 0;
+  private warming = false;
+  private shaders = false;
   private readonly budget = new FrameBudget(() => this.drawFull());
   /** Whether the last picture was drawn in full while frames are spared. */
   private full = true;
@@ -188,15 +190,21 @@ export class Stage {
   }
 
   setCharacter(skeleton: Skeleton, mesh: CharacterMesh): void {
-    if (this.figure) {
-      this.scene.remove(this.figure.group);
-      this.figure.dispose();
-    }
-    this.figure = new Figure(skeleton, mesh);
-    this.figure.setTheme(this.theme);
-    this.figure.group.visible = this.guest === null;
-    this.scene.add(this.figure.group);
-    this.invalidate();
+    const before = this.figure;
+    const figure = new Figure(skeleton, mesh);
+    this.figure = figure;
+    figure.setTheme(this.theme);
+    // Its shaders are made while the page goes on; until then the one before is shown.
+    void this.renderer.compileAsync(figure.group, this.camera, this.scene).then(() => {
+      if (before) {
+        this.scene.remove(before.group);
+        before.dispose();
+      }
+      // A newer one takes this one's place when it is ready.
+      figure.group.visible = this.guest === null;
+      this.scene.add(figure.group);
+      this.invalidate();
+    });
   }
 
   /** A character from a file instead of our own; null for our own again. */
@@ -274,6 +282,12 @@ export class Stage {
   project(x: number, y: number, z: number): { x: number; y: number; visible: boolean } {
     const v = new Vector3(x, y, z).project(this.camera);
     return { x: ((v.x + 1) / 2) * this.size.width, y: ((1 - v.y) / 2) * this.size.height, visible: v.z < 1 };
+  }
+
+  /** Whether the room's own floor is drawn. */
+  showFloor(shown: boolean): void {
+    this.room.showFloor(shown);
+    this.invalidate();
   }
 
   /** Adds something of a feature's own to what is drawn. */
@@ -377,10 +391,25 @@ export class Stage {
     if (this.waiting) return;
     this.waiting = requestAnimationFrame((now) => {
       this.waiting = 0;
+      if (!this.shaders) {
+        this.onDraw();
+        this.warmUp();
+        return;
+      }
       if (this.budget.frame(now) || this.full) this.setDetail(this.budget.sparing);
       this.full = false;
       this.renderer.render(this.scene, this.camera);
       this.onDraw();
+    });
+  }
+
+  /** The room's shaders are made before its first frame, without holding up the page. */
+  private warmUp(): void {
+    if (this.warming) return;
+    this.warming = true;
+    void this.renderer.compileAsync(this.scene, this.camera).then(() => {
+      this.shaders = true;
+      this.invalidate();
     });
   }
 

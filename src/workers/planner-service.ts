@@ -5,14 +5,16 @@
  * planner-worker.ts, or on the page's own thread where no worker can start (then with smaller slices).
  */
 
+import { type BlendLibrary, bakeLibrary } from "../core/blending/library.ts";
+import type { CyclicSource } from "../core/blending/types.ts";
 import { beginSynthesis, handResults, type SwingCache, synthesiseChunk } from "../core/motion/synthesise.ts";
 import type { MotionChunk } from "../core/motion/types.ts";
+import { planWhole } from "../core/motion/whole-scene.ts";
 import { measureMotion } from "../core/quality/measure.ts";
 import type { Scene } from "../core/scene/types.ts";
 import { JOINT_COUNT } from "../core/skeleton/joints.ts";
-import { createSkeleton } from "../core/skeleton/skeleton.ts";
+import { createSkeleton, type Skeleton } from "../core/skeleton/skeleton.ts";
 import type { StrideFamily } from "../core/styles/family.ts";
-import { planPaths, stylesOf } from "../core/styles/plan-paths.ts";
 import { goalsOf, planScene } from "../core/tasks/plan-scene.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
 import type { TaskGoal } from "../core/tasks/transition.ts";
@@ -20,6 +22,7 @@ import { mergeLibraries } from "../core/templates/build-library.ts";
 import { decodeLibrary } from "../core/templates/library-file.ts";
 import { retargetLibrary } from "../core/templates/retarget-library.ts";
 import type { Library } from "../core/templates/types.ts";
+import { cyclicSources } from "../studio/blend-library.ts";
 import { styleFamilies } from "../studio/style-families.ts";
 import type { PlannerRequest, PlannerResponse } from "./protocol.ts";
 
@@ -40,7 +43,7 @@ interface Playing {
   plan: Plan;
   goals: TaskGoal[];
   key: string;
-  shift: Float64Array | null;
+  shown: { shift: Float64Array; drop: Float64Array } | null;
 }
 
 /** Sends one answer; what is in the second list may be transferred. */
@@ -76,6 +79,8 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
   /** The plan that each asker plays, by `client`. */
   const played = new Map<number, Playing>();
   let families: { key: string; byStyle: Map<string, StrideFamily> } | null = null;
+  let cycles: CyclicSource[] | null = null;
+  let blends: { key: string; library: BlendLibrary } | null = null;
   let newest: PlanRequest | null = null;
   let busy = false;
 
@@ -98,6 +103,7 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
       clips: base.clips.length,
       transitions: base.transitions,
     });
+    void work();
   }
 
   /** Templates for the scene's character, kept until it changes. */
@@ -116,19 +122,40 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     return character;
   }
 
-  /** A scene with paths: the walk along them, in the styles painted; tasks wait until there are no paths. */
-  async function answerPaths(request: PlanRequest): Promise<void> {
+  /** The styles named, fitted to a character and kept until there is another. */
+  function familiesFor(key: string, skeleton: Skeleton, styles: string[]): ReadonlyMap<string, StrideFamily> {
+    if (families?.key !== key) families = { key, byStyle: new Map() };
+    const { byStyle } = families;
+    const missing = styles.filter((style) => !byStyle.has(style));
+    for (const [style, family] of styleFamilies(missing, skeleton)) byStyle.set(style, family);
+    return byStyle;
+  }
+
+  /** The clips that steps on stones are blended of, baked for a character. */
+  function blendsFor(key: string, skeleton: Skeleton): BlendLibrary {
+    cycles ??= cyclicSources();
+    if (blends?.key !== key) blends = { key, library: bakeLibrary(cycles, skeleton) };
+    return blends.library;
+  }
+
+  /** A scene with paths or stones: everything in its order, as one motion. */
+  async function answerWhole(request: PlanRequest): Promise<void> {
     const { scene } = request;
     const skeleton = createSkeleton(scene.character.height, scene.character.proportions);
     const begun = performance.now();
-    const { key } = libraryFor(scene);
-    if (families?.key !== key) families = { key, byStyle: new Map() };
-    const missing = stylesOf(scene).filter((style) => !families?.byStyle.has(style));
-    for (const [style, family] of styleFamilies(missing, skeleton)) families.byStyle.set(style, family);
-    const { plan, motion } = planPaths(scene, skeleton, families.byStyle);
-    if (scene.tasks.length > 0) plan.warnings.push("paths: tasks wait while a path is followed.");
+    const { key, library, cache } = libraryFor(scene);
+    const { plan, clip, contacts, boxes, ink } = planWhole(
+      scene,
+      skeleton,
+      {
+        library: () => library,
+        families: (styles) => familiesFor(key, skeleton, styles),
+        blends: () => blendsFor(key, skeleton),
+        cache,
+      },
+      { lambda4: request.lambda4 ?? 0, trace: true },
+    );
     played.delete(request.client);
-    const { clip, contacts } = motion;
     post({ type: "planned", id: request.id, plan, planMs: performance.now() - begun, frames: clip.frames });
     await pause();
     const started = performance.now();
@@ -151,13 +178,13 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
       await pause();
     }
     const motionMs = performance.now() - started;
-    const quality = measureMotion(skeleton, chunks, clip.frames, plan, []);
-    post({ type: "finished", id: request.id, boxes: [], ink: [], quality, motionMs });
+    const quality = measureMotion(skeleton, chunks, clip.frames, plan, goalsOf(scene));
+    post({ type: "finished", id: request.id, boxes, ink, quality, motionMs });
   }
 
   async function answer(request: PlanRequest): Promise<void> {
     const { scene } = request;
-    if (scene.paths.length > 0) return answerPaths(request);
+    if (scene.paths.length > 0 || scene.stones.length > 0) return answerWhole(request);
     const { key, library, cache } = libraryFor(scene);
     const skeleton = createSkeleton(scene.character.height, scene.character.proportions);
     const begun = performance.now();
@@ -169,8 +196,8 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
         : null;
     const plan = planScene(scene, library, skeleton, { playing: earlier, trace: true });
     const planMs = performance.now() - begun;
-    const shown = playing?.shift ?? null;
-    const now: Playing = { plan, goals, key, shift: shown };
+    const shown = playing?.shown ?? null;
+    const now: Playing = { plan, goals, key, shown };
     played.delete(request.client);
     played.set(request.client, now);
     trim(played, 4 * MOST_KEPT);
@@ -182,9 +209,9 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
       return;
     }
     const started = performance.now();
-    const kept = earlier && shown ? { shift: shown, until: Math.round(earlier.now * 60) } : null;
+    const kept = earlier && shown ? { ...shown, until: Math.round(earlier.now * 60) } : null;
     const synthesis = beginSynthesis(library, skeleton, plan, goals, cache, kept);
-    now.shift = synthesis.track.shift;
+    now.shown = { shift: synthesis.track.shift, drop: synthesis.track.drop };
     const chunks: MotionChunk[] = [];
     for (let first = 0; first < synthesis.frames; first += slice) {
       const chunk = synthesiseChunk(synthesis, first, slice);
@@ -214,7 +241,8 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
   }
 
   async function work(): Promise<void> {
-    if (busy) return;
+    // What is asked for before the library is there waits for it.
+    if (busy || !base) return;
     busy = true;
     let done: PlanRequest | null = null;
     while (newest && newest !== done) {

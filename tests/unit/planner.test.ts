@@ -91,6 +91,7 @@ describe("planner", () => {
     expect(again.tasks[0]).toEqual(plan.tasks[0]);
     const after = beginSynthesis(fitted, skeleton, again, goalsOf(moved), new Map(), {
       shift: before.track.shift,
+      drop: before.track.drop,
       until: Math.floor(now * 60),
     });
     const frame = Math.floor(now * 60) - 10;

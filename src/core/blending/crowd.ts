@@ -12,7 +12,8 @@
  * crowd.rotations.subarray(88 * i, 88 * i + 88);
  * ```
  */
-import type { GroundPose } from "../math/frame2.ts";
+import { type GroundPose, midPose, toLocal } from "../math/frame2.ts";
+import { type Numbers, quatFromAxisAngle, quatMultiply } from "../math/quaternion.ts";
 import type { Footstep } from "../steps/types.ts";
 import {
   AIR,
@@ -25,9 +26,9 @@ import {
   F_NEXT,
   FOOT,
   FOOT_STATE,
+  HIPS_TIME,
   LAMBDA4,
   LAND,
-  LAST_LAND,
   LAST_SIDE,
   NEXT_LIFT,
   NOW,
@@ -42,8 +43,9 @@ import {
   TARGET,
   TO,
   WANT,
+  WANTED,
 } from "./batch.ts";
-import type { BlendLibrary } from "./library.ts";
+import { type BlendLibrary, HIPS_AT } from "./library.ts";
 import { MIX } from "./mix.ts";
 import { shownBody, writePose } from "./pose.ts";
 import { beginOffset, sampleBody } from "./sample.ts";
@@ -59,8 +61,10 @@ export interface TimedFootstep extends Footstep {
 /** Blends into and out of standing take longer, seconds. */
 const STAND_BLEND = 0.45;
 /** Longer blends for poses that are far apart: seconds per tangent of half the largest angle; at most. */
-const FAR_BLEND = 0.5;
+const FAR_BLEND = 0.3;
 const LONGEST_BLEND = 0.45;
+/** Longest blend of the hips' place. */
+const HIPS_BLEND = 0.5;
 const FRAME = 1 / 60;
 
 export interface BlendCrowd extends Batch {
@@ -69,12 +73,19 @@ export interface BlendCrowd extends Batch {
   /** Puts a character somewhere, standing, and forgets its footsteps. */
   place(i: number, at: GroundPose & { y?: number }): void;
   /**
+   * Puts a character where another motion left it: its feet as they stand, its pose as it is, which then goes over into
+   * standing at ease.
+   *
+   * @param feet left and right; @param root the hips' place; @param rotations JOINT_COUNT x 4 local rotations.
+   */
+  adopt(i: number, feet: readonly [Footstep, Footstep], root: Numbers, rotations: Numbers): void;
+  /**
    * Queues a footstep after those already queued. @returns false when the queue (8) is full: try again later.
    */
   push(i: number, step: TimedFootstep): boolean;
   /** Forgets the footsteps that have not begun. */
   clear(i: number): void;
-  /** Root control: lambda_4 and the wanted velocity in the root's frame, m/s and rad/s. */
+  /** Root control: lambda_4 and the wanted velocity in the root's frame, m/s and rad/s; NaN for the footsteps' own. */
   steer(i: number, lambda4: number, lateral: number, forward: number, turn: number): void;
   /** Whether a foot is on its way, and the place where it is or goes. */
   footstep(i: number, side: 0 | 1, out: { x: number; y: number; z: number; yaw: number }): boolean;
@@ -99,6 +110,7 @@ export function createBlendCrowd(
     return i;
   };
   crowd.place = (i, at) => stand(b, i, at);
+  crowd.adopt = (i, feet, root, rotations) => adopt(b, i, feet, root, rotations);
   crowd.push = (i, step) => push(b, i, step);
   crowd.clear = (i) => {
     b.queueCount[i] = 0;
@@ -138,7 +150,6 @@ function stand(b: Batch, i: number, at: GroundPose & { y?: number }): void {
   s.set([at.x, at.z, at.yaw, at.y ?? 0], o + TO);
   s.set([at.x, at.z, at.yaw, at.y ?? 0], o + NOW);
   s[o + T1] = b.time;
-  s[o + LAST_LAND] = Number.NEGATIVE_INFINITY;
   s[o + LAST_SIDE] = 1;
   s[o + NEXT_LIFT] = Number.POSITIVE_INFINITY;
   const { standFoot } = b.library;
@@ -151,6 +162,9 @@ function stand(b: Batch, i: number, at: GroundPose & { y?: number }): void {
     s[f + PLACE + 1] = at.y ?? 0;
     s[f + PLACE + 2] = at.z + sign * (c * standFoot.z - n * standFoot.x);
     s[f + PLACE + 3] = at.yaw + sign * standFoot.yaw;
+    s[f + WANTED] = s[f + PLACE];
+    s[f + WANTED + 1] = s[f + PLACE + 2];
+    s[f + WANTED + 2] = s[f + PLACE + 3];
     s[f + F_LAND] = Number.NEGATIVE_INFINITY;
     s[f + F_NEXT] = Number.POSITIVE_INFINITY;
     s[f + STAY] = 0.7;
@@ -164,6 +178,34 @@ function stand(b: Batch, i: number, at: GroundPose & { y?: number }): void {
   b.triangle[2 * i] = 0;
   b.triangle[2 * i + 1] = 0;
   b.landingError[i] = Number.NaN;
+  writePose(b, i, b.time, 0, -1);
+}
+
+function adopt(
+  b: Batch,
+  i: number,
+  feet: readonly [Footstep, Footstep],
+  root: Numbers,
+  rotations: Numbers,
+): void {
+  const s = b.state;
+  const o = STATE * i;
+  const middle = midPose(feet[0], feet[1]);
+  stand(b, i, { ...middle, y: (feet[0].y + feet[1].y) / 2 });
+  feet.forEach((p, side) => {
+    s.set([p.x, p.y, p.z, p.yaw], o + FOOT + FOOT_STATE * side + PLACE);
+    s.set([p.x, p.z, p.yaw], o + FOOT + FOOT_STATE * side + WANTED);
+  });
+  const { old, pose } = b.scratch;
+  for (let k = 0; k < HIPS_AT; k++) old[k] = rotations[k];
+  // As the rows have it: seen from the root's frame.
+  const turn = new Float64Array(4);
+  quatFromAxisAngle(turn, 0, 0, 1, 0, -middle.yaw);
+  quatMultiply(old, 0, turn, 0, old, 0);
+  const hips = toLocal(middle, { x: root[0], z: root[2], yaw: 0 });
+  old.set([hips.x, root[1] - s[o + NOW + 3], hips.z], HIPS_AT);
+  pose.set(b.library.stand);
+  blend(b, i, b.time, old, old, pose, pose, STAND_BLEND);
   writePose(b, i, b.time, 0, -1);
 }
 
@@ -225,7 +267,7 @@ function begin(b: Batch, i: number, row: number): void {
     b.queueCount[i] > 0 ? b.queue[QUEUE_ROW * (QUEUE * i + b.queueHead[i]) + 7] : Number.POSITIVE_INFINITY;
   startStep(b, i, row, next);
   const side = s[o + LAST_SIDE];
-  const length = s[o + T1] - lift;
+  const length = s[o + LAND] - lift;
   sampleBody(pose, b, 3 * i, side, 0);
   sampleBody(after, b, 3 * i, side, length > 0 ? FRAME / length : 0);
   blend(b, i, lift, old, before, pose, after, wasStepping ? b.options.blend : STAND_BLEND);
@@ -255,5 +297,8 @@ function blend(
   const most = beginOffset(b, i, old, before, fresh, after, FRAME);
   const o = STATE * i;
   b.state[o + BLEND_FROM] = t;
+  // The hips are heavy: their place takes longer, but no longer than the step.
+  const s = b.state;
+  s[o + HIPS_TIME] = s[o + STEPPING] === 1 ? Math.min(HIPS_BLEND, 0.9 * (s[o + LAND] - t)) : HIPS_BLEND;
   b.state[o + BLEND_TIME] = Math.min(Math.max(LONGEST_BLEND, least), least + FAR_BLEND * most);
 }

@@ -6,39 +6,51 @@ import { contactsOfPitch } from "../motion/sole.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import {
+  AIR,
   ANKLE,
   type Batch,
   BLEND_FROM,
   BLEND_TIME,
   FOOT,
   FOOT_STATE,
+  HIPS_TIME,
   LAND,
   LAST_SIDE,
   LIFT,
   NOW,
+  OTHER_LAND,
   PHI,
   PITCH,
+  PLACE,
   POSE,
+  QUEUE,
+  QUEUE_ROW,
   STATE,
   STEPPING,
   T1,
 } from "./batch.ts";
-import { footAt } from "./foot-track.ts";
+import { easeAnkle, footAt } from "./foot-track.ts";
 import { closeLeg, type Leg, legOf, sinkFor } from "./leg-ik.ts";
-import { HIPS_AT } from "./library.ts";
+import { easedShare, FLIGHT, HIPS_AT } from "./library.ts";
 import { rootAt } from "./root-track.ts";
-import { applyOffset, sampleBody } from "./sample.ts";
+import { applyHipsOffset, applyOffset, sampleBody } from "./sample.ts";
 
-/** Phase of the body's rows at time t: lift, landing and next lift are met [Barycentric §5, time warping]. */
+/**
+ * Phase of the body's rows at time t [Barycentric §5, time warping]: 0 at the lift, 1 at the landing, and at the next lift what
+ * the clips have there. A runner's other foot lands at FLIGHT, and its next lift comes before the landing.
+ */
 function bodyPhase(s: Float64Array, o: number, t: number): number {
   const lift = s[o + LIFT];
   const land = s[o + LAND];
+  const other = s[o + OTHER_LAND];
+  if (other > 0) {
+    if (t < other) return (FLIGHT * (t - lift)) / (other - lift);
+    if (t <= land) return FLIGHT + ((1 - FLIGHT) * (t - other)) / (land - other);
+  }
+  if (t <= land) return (t - lift) / (land - lift);
   const end = s[o + T1];
-  const phi = s[o + PHI];
-  // A run's landing comes after the next lift: one even pace.
-  if (land >= end - 0.02) return (t - lift) / Math.max(0.05, end - lift);
-  if (t < land) return (phi * (t - lift)) / (land - lift);
-  return phi + ((1 - phi) * (t - land)) / (end - land);
+  if (end <= land + 0.02) return 1 + (t - land) / (land - lift);
+  return 1 + (Math.max(0.05, s[o + PHI] - 1) * (t - land)) / (end - land);
 }
 
 /** What is shown at time t before feet are placed: blended rotations and the hips' place in the root's frame. */
@@ -49,12 +61,39 @@ export function shownBody(out: Float64Array, b: Batch, i: number, t: number): vo
   else {
     const { stand } = b.library;
     for (let k = 0; k < HIPS_AT + 3; k++) out[k] = stand[k];
+    leanOver(out, b, i, t);
   }
   const length = s[o + BLEND_TIME];
   if (length > 0) {
-    const u = (t - s[o + BLEND_FROM]) / length;
-    if (u < 1) applyOffset(out, b, i, Math.max(u, 0), length);
+    const time = Math.max(0, t - s[o + BLEND_FROM]);
+    if (time < length) applyOffset(out, b, i, time / length, length);
+    const hips = s[o + HIPS_TIME];
+    if (time < hips) applyHipsOffset(out, b, i, time, hips);
   }
+}
+
+/** Seconds before a first lift at which the weight begins to go over; share of the way to the supporting foot that it goes. */
+const LEAN_TIME = 0.5;
+const LEAN = 0.45;
+
+/** Before a first step the hips go over the foot that will bear [anticipatory adjustment, Breniere and Do 1986]. */
+function leanOver(out: Float64Array, b: Batch, i: number, t: number): void {
+  if (b.queueCount[i] === 0) return;
+  const row = QUEUE_ROW * (QUEUE * i + b.queueHead[i]);
+  const u = 1 + (t - b.queue[row + 7]) / LEAN_TIME;
+  if (u <= 0) return;
+  const s = b.state;
+  const o = STATE * i;
+  const side = b.queue[row];
+  const f = o + FOOT + FOOT_STATE * (1 - side) + PLACE;
+  const g = o + FOOT + FOOT_STATE * side + PLACE;
+  const share = LEAN * easedShare(Math.min(1, u));
+  const dx = (share * (s[f] - s[g])) / 2;
+  const dz = (share * (s[f + 2] - s[g + 2])) / 2;
+  const c = Math.cos(s[o + NOW + 2]);
+  const n = Math.sin(s[o + NOW + 2]);
+  out[HIPS_AT] += c * dx - n * dz;
+  out[HIPS_AT + 2] += n * dx + c * dz;
 }
 
 const legs = new WeakMap<object, Leg>();
@@ -98,7 +137,7 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
   let sink = 0;
   for (let side = 0; side < 2; side++) {
     const f = o + FOOT + FOOT_STATE * side;
-    if (footAt(b, i, side, t, dt) === 1) contacts |= contactsOfPitch(s[f + PITCH]) << (2 * side);
+    footAt(b, i, side, t, dt);
     const joint = 3 * (side === 0 ? J.leftUpperLeg : J.rightUpperLeg);
     const need = sinkFor(
       leg,
@@ -107,7 +146,9 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
       s[f + ANKLE + 2] - positions[joint + 2],
     );
     // A smooth largest of both.
-    sink = Math.sqrt(Math.sqrt(sink ** 4 + need ** 4));
+    const a = sink * sink;
+    const c = need * need;
+    sink = Math.sqrt(Math.sqrt(a * a + c * c));
     if (side === landed) {
       const ankle = joint + 6;
       const dx = positions[ankle] - s[f + ANKLE];
@@ -116,8 +157,16 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
     }
   }
   if (sink > 0) for (let j = 0; j < JOINT_COUNT; j++) positions[3 * j + 1] -= sink;
-  closeLeg(leg, offsets, pose, positions, world, J.leftUpperLeg, s, o + FOOT);
-  closeLeg(leg, offsets, pose, positions, world, J.rightUpperLeg, s, o + FOOT + FOOT_STATE);
+  for (let side = 0; side < 2; side++) {
+    const f = o + FOOT + FOOT_STATE * side;
+    const upper = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
+    closeLeg(leg, offsets, pose, positions, world, upper, s, f);
+    if (s[f + AIR] === 1) continue;
+    const q = 4 * (upper + 2);
+    const bend = -2 * Math.atan2(pose[q], pose[q + 3]);
+    if (easeAnkle(b, i, side, bend)) closeLeg(leg, offsets, pose, positions, world, upper, s, f);
+    contacts |= contactsOfPitch(s[f + PITCH]) << (2 * side);
+  }
   b.root[3 * i] = positions[0];
   b.root[3 * i + 1] = positions[1];
   b.root[3 * i + 2] = positions[2];

@@ -20,9 +20,11 @@ import { FOOT_STRIDE } from "./foot-pose.ts";
 import { closeLegs, type LimbWorkspace } from "./limb-pass.ts";
 import { type TaskWindow, windowWeight } from "./task-windows.ts";
 
-/** The shift of the motion that is shown, and its last frame that has been. */
+/** What balance and reach have done to the motion that is shown, and its last frame that has been. */
 export interface KeptBalance {
   shift: Float64Array;
+  /** How far its hips were lowered for the legs to reach, a frame. */
+  drop: Float64Array;
   until: number;
 }
 

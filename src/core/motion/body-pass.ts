@@ -58,6 +58,8 @@ export interface BodyTrack {
   sourceFrame: Float64Array;
   /** What balance added to the root, x, z a frame, metres. */
   shift: Float64Array;
+  /** How far the hips were lowered for the legs to reach, metres a frame. */
+  drop: Float64Array;
 }
 
 export function createBodyTrack(frames: number): BodyTrack {
@@ -70,6 +72,7 @@ export function createBodyTrack(frames: number): BodyTrack {
     segmentOf: new Int32Array(frames),
     sourceFrame: new Float64Array(frames),
     shift: new Float64Array(2 * frames),
+    drop: new Float64Array(frames),
   };
 }
 

@@ -5,6 +5,7 @@ import { minimumJerk, softEnvelope } from "../math/interpolate.ts";
 import { quatRotate } from "../math/quaternion.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
+import type { KeptBalance } from "./balance-pass.ts";
 import type { BodyTrack } from "./body-pass.ts";
 import { FOOT_STRIDE } from "./foot-pose.ts";
 import type { SegmentSetup } from "./segment-setup.ts";
@@ -132,8 +133,16 @@ export function softenSwings(track: BodyTrack, skeleton: Skeleton): void {
   }
 }
 
-/** How far each frame's hips must come down for both legs to reach, then softened over neighbours. Mutates `track.root`. */
-export function reachWithLegs(track: BodyTrack, skeleton: Skeleton): void {
+/** Frames in which the drop of a motion that was shown goes over into a new one's. */
+const TAKE_OVER = 16;
+
+/**
+ * How far each frame's hips must come down for both legs to reach, then softened over neighbours. Mutates `track.root` and notes
+ * the drop in `track.drop`.
+ *
+ * @param kept the motion that is shown: its frames so far keep their drop, as what is planned anew would soften back into them.
+ */
+export function reachWithLegs(track: BodyTrack, skeleton: Skeleton, kept: KeptBalance | null): void {
   const { offsets } = skeleton;
   const thigh = Math.abs(offsets[3 * J.leftLowerLeg + 1]);
   const shank = Math.abs(offsets[3 * J.leftFoot + 1]);
@@ -154,5 +163,13 @@ export function reachWithLegs(track: BodyTrack, skeleton: Skeleton): void {
     drop[f] = need;
   }
   const lower = softEnvelope(drop, SOFT);
-  for (let f = 0; f < n; f++) track.root[3 * f + 1] -= lower[f];
+  for (let f = 0; f < n; f++) {
+    if (kept && f < kept.until + TAKE_OVER && kept.drop.length > 0) {
+      const held = kept.drop[Math.min(f, kept.until, kept.drop.length - 1)];
+      const fresh = minimumJerk((f - kept.until) / TAKE_OVER);
+      lower[f] = held + fresh * (lower[f] - held);
+    }
+    track.drop[f] = lower[f];
+    track.root[3 * f + 1] -= lower[f];
+  }
 }

@@ -63,7 +63,7 @@ export function beginSynthesis(
   const limbs = createLimbWorkspace();
   balanceBody(track, windows, skeleton, limbs, kept);
   softenSwings(track, skeleton);
-  reachWithLegs(track, skeleton);
+  reachWithLegs(track, skeleton, kept);
   return {
     frames,
     skeleton,

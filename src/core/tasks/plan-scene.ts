@@ -1,8 +1,10 @@
 /** From a scene document to a plan: tasks in their order, furniture, and what has begun. */
 import { wrapAngle } from "../math/angle.ts";
+import { midPose } from "../math/frame2.ts";
 import { obstacles } from "../scene/props.ts";
 import type { Scene, SceneTask } from "../scene/types.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
+import type { Footstep } from "../steps/types.ts";
 import type { Library } from "../templates/types.ts";
 import { applyEdits, feetWished } from "./edits.ts";
 import { keepBegun } from "./keep.ts";
@@ -33,6 +35,27 @@ export interface PlanSceneOptions {
   /** An earlier plan of the same scene that is being played, and how far; null to plan from the start. */
   playing?: { plan: Plan; now: number; goals: readonly TaskGoal[] } | null;
   trace?: boolean;
+  /** Where the feet stand at first, left and right; null for beside each other at the scene's start. */
+  feet?: readonly [Footstep, Footstep] | null;
+  /** The stance to walk to and stand in once the tasks are done; null to stay. */
+  then?: readonly [Footstep, Footstep] | null;
+}
+
+/** Seconds of standing in the stance walked to. */
+const STAND_THERE = 0.35;
+
+/** Walking to a stance, as a goal after the tasks. */
+export function standGoal(feet: readonly [Footstep, Footstep]): TaskGoal {
+  return {
+    id: "",
+    category: "stand",
+    effort: 1,
+    frame: midPose(feet[0], feet[1]),
+    height: 0,
+    duration: STAND_THERE,
+    hand: "right",
+    feet,
+  };
 }
 
 /** Whether a task asks for the same thing. */
@@ -63,9 +86,17 @@ export function planScene(
   options: PlanSceneOptions = {},
 ): Plan {
   const goals = goalsOf(scene);
+  if (options.then) goals.push(standGoal(options.then));
   const start = { x: scene.start.position[0], z: scene.start.position[1], yaw: wrapAngle(scene.start.yaw) };
   const playing = options.playing ?? null;
-  const common = { library, skeleton, start, obstacles: obstacles(scene), trace: options.trace ?? false };
+  const common = {
+    library,
+    skeleton,
+    start,
+    feet: options.feet ?? null,
+    obstacles: obstacles(scene),
+    trace: options.trace ?? false,
+  };
   const warnings: string[] = [];
   scene.tasks.forEach((t, i) => {
     if (t.category === "write" && t.position[1] > reachHeight(skeleton)) {

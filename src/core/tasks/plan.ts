@@ -13,8 +13,9 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Foot, Footstep } from "../steps/types.ts";
 import { type EntryQuery, retrieveEntry, retrieveExit } from "../templates/retrieve.ts";
 import type { Library, Template } from "../templates/types.ts";
-import { approach, turningStep } from "./approach.ts";
+import { approach, closingStep, turningStep } from "./approach.ts";
 import { type DraftStep, type Feet, footPose, otherFoot } from "./draft.ts";
+import { closingOrder, goToOf, laidOn, standsAt } from "./go-to.ts";
 import { holdAtTask } from "./hold.ts";
 import type { Kept } from "./keep.ts";
 import { chooseWalk, layWalk, type Walks, type WalkWish, walksOf } from "./locomotion.ts";
@@ -22,7 +23,7 @@ import { createPhaseWorkspace, optimisePhase, type PhaseGoal } from "./optimise-
 import { pivotEnd, placePivots } from "./pivots.ts";
 import type { OptimisationTrace, Plan } from "./plan-types.ts";
 import { findRoute, type GroundPoint, type Obstacle } from "./route.ts";
-import { tidyFootsteps } from "./tidy.ts";
+import { tidyFootsteps, wayOut } from "./tidy.ts";
 import { appendStep, type Timeline } from "./timeline.ts";
 import { chainFrom, compete, layInTaskFrame, type TaskGoal } from "./transition.ts";
 
@@ -38,6 +39,8 @@ export interface PlanInput {
   library: Library;
   skeleton: Skeleton;
   start: GroundPose;
+  /** Where the feet stand at first; left out: beside each other at the start. */
+  feet?: readonly [Footstep, Footstep] | null;
   /** Tasks still to be done, in order. */
   tasks: TaskGoal[];
   obstacles: Obstacle[];
@@ -75,7 +78,11 @@ interface Context {
 export function planTasks(input: PlanInput): Plan {
   const { library, skeleton, kept } = input;
   const walks = walksOf(library);
-  const feet = kept ? { ...kept.feet } : standingFeet(input.start, skeleton);
+  const feet: Feet = kept
+    ? { ...kept.feet }
+    : input.feet
+      ? { left: input.feet[0], right: input.feet[1] }
+      : standingFeet(input.start, skeleton);
   const timeline: Timeline = kept
     ? { steps: [...kept.steps], segments: [...kept.segments], cursor: kept.cursor }
     : { steps: [], segments: [], cursor: 0 };
@@ -100,7 +107,7 @@ export function planTasks(input: PlanInput): Plan {
     timeline,
     feet,
     lastFoot: kept?.lastFoot ?? null,
-    carrying: false,
+    carrying: kept ? carriesAfter(library, kept) : false,
     plan,
   };
   if (timeline.cursor === 0) openStance(context);
@@ -115,6 +122,15 @@ export function planTasks(input: PlanInput): Plan {
   });
   plan.duration = timeline.cursor / CLIP_RATE;
   return plan;
+}
+
+/** Whether a box is in the hands once the tasks that are done have been. */
+function carriesAfter(library: Library, kept: Kept): boolean {
+  const last = kept.done.findLast((t) => {
+    const category = library.clips[t.clip]?.tasks[t.clipTask]?.category;
+    return category === "lift" || category === "place";
+  });
+  return last !== undefined && library.clips[last.clip].tasks[last.clipTask].category === "lift";
 }
 
 /** Where a transition starts from. */
@@ -141,6 +157,7 @@ function planTask(
 ): Place {
   const firstSegment = context.timeline.segments.length;
   if (task.category === "stand") {
+    if (task.feet) goTo(context, current, task, task.feet, index);
     holdAtTask(
       context.library,
       context.timeline,
@@ -226,16 +243,45 @@ function approachCost(library: Library, laid: Laid, template: Template, here: Gr
   return cost + (walkedInto ? 0 : 0.08) + 0.08 * arrival;
 }
 
-interface Entry {
-  template: Template;
-  /** Its steps, and the stance before them, laid in the task's frame. */
-  steps: DraftStep[];
+/** Walks to a stance that is given foot by foot and stands in it exactly. */
+function goTo(
+  context: Context,
+  current: Place,
+  task: TaskGoal,
+  feet: readonly [Footstep, Footstep],
+  index: number,
+): void {
+  const { library } = context;
+  const goal = goToOf(feet, context.feet, context.skeleton.legLength);
+  const here = midPose(context.feet.left, context.feet.right);
+  const route = findRoute(here, goal.aim, context.obstacles, CLEARANCE).points;
+  const aim: Aim = { ...goal, before: [], route };
+  if (groundDistance(here, midPose(feet[0], feet[1])) > library.enterRadius.stand)
+    planExit(context, current, task, aim, index, library.enterRadius.stand);
+  planLocomotion(context, aim, index);
+  for (const foot of closingOrder(goal)) {
+    const at = feet[foot === "left" ? 0 : 1];
+    if (standsAt(context.feet[foot], at)) continue;
+    const step = closingStep(library, context.feet, foot, at);
+    if (step) lay(context, laidOn(step, at), index, null);
+  }
+}
+
+/** What a walk is aimed at. */
+interface Aim {
+  /** Where both feet are when it ends, and the steps of the capture before. */
   stance: Feet;
   before: GroundPose[];
-  /** The foot that stands while its first step swings, and where. */
+  /** The foot that lands last, and where. */
   stanceFoot: Foot;
   aim: Footstep;
   route: GroundPoint[];
+}
+
+interface Entry extends Aim {
+  template: Template;
+  /** Its steps, laid in the task's frame. */
+  steps: DraftStep[];
   task: TaskGoal;
 }
 
@@ -316,7 +362,7 @@ function planExit(
   context: Context,
   current: Place,
   task: TaskGoal,
-  entry: Entry,
+  entry: Aim,
   index: number,
   radius: number,
 ): void {
@@ -392,7 +438,7 @@ const SHARP = 0.6;
 const MORE_TURN = 0.45;
 
 /** PlanLocomotionPhase: walking steps along the route, then the preparation of the entry. */
-function planLocomotion(context: Context, entry: Entry, index: number): void {
+function planLocomotion(context: Context, entry: Aim, index: number): void {
   const { walks, feet, library } = context;
   if (walks.list.length === 0) return;
   const length = walks.length;
@@ -458,7 +504,7 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
 /** Enter Task Preparation: further steps where they are needed, and the last three re-optimised [TaskLoco §5.5]. */
 function prepareEntry(
   context: Context,
-  entry: Entry,
+  entry: Aim,
   index: number,
   fresh: DraftStep[],
   before: Feet,
@@ -473,6 +519,7 @@ function prepareEntry(
     { stanceFoot: entry.stanceFoot, stance: entry.stance },
     context.carrying,
     context.obstacles,
+    context.skeleton,
     (k) => context.feetWished.get(`${index}:${earlier + walked + k}`),
   );
   for (const s of steps) feet[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
@@ -528,9 +575,16 @@ function shareOut(steps: DraftStep[], aim: GroundPose): void {
 
 /** PlanTaskEntryPhase: the template between the feet that are there and its own places at the task. */
 function planEntry(context: Context, entry: Entry, index: number): void {
-  const laid = entry.steps;
-  const n = laid.length;
+  const n = entry.steps.length;
   if (n === 0) return;
+  // Where the stance at the task is in other furniture it is moved as a whole, step by step.
+  const last: Feet = { ...entry.stance };
+  for (const s of entry.steps) last[s.foot] = s;
+  const [dx, dz] = wayOut(context.skeleton, [last.left, last.right], context.obstacles);
+  const laid = entry.steps.map((s, i) => {
+    const f = (i + 1) / n;
+    return dx === 0 && dz === 0 ? s : { ...s, x: s.x + f * dx, z: s.z + f * dz };
+  });
   const chained = chainFrom(context.library, entry.template, context.feet);
   // How far the feet are turned against the template's own stance is shared over its steps, so that it ends facing as it
   // did: Table 2 gives the enter phase no orientation term that would see to it.

@@ -1,14 +1,15 @@
 /** Which templates a transition may use: queries, competition, and laying them in the world [TaskLoco §4.2]. */
 import { type GroundPose, toLocal, toWorld } from "../math/frame2.ts";
 import type { Effort, TaskCategory } from "../scene/task-types.ts";
+import type { Footstep } from "../steps/types.ts";
 import type { Library, Template } from "../templates/types.ts";
 import { type DraftStep, type Feet, footPose, otherFoot, stanceBefore, templateSteps } from "./draft.ts";
 import type { Candidate } from "./plan-types.ts";
 import type { Obstacle } from "./route.ts";
 import { collisions } from "./tidy.ts";
 
-/** What an obstacle in the way of a template costs, in the metrics' units (w_d times centimetres): half a metre. */
-const COLLISION_COST = 0.05;
+/** What an obstacle in the way of a template costs, in the metrics' units (w_d times centimetres): more than a metre. */
+const COLLISION_COST = 0.12;
 /** Hips this near an obstacle count as in it, metres. */
 const HIP_RADIUS = 0.12;
 
@@ -101,4 +102,6 @@ export interface TaskGoal {
   height: number;
   duration: number | null;
   hand: "left" | "right";
+  /** For `stand` alone: the stance to walk to and stand in, left and right; else it stands where it is. */
+  feet?: readonly [Footstep, Footstep];
 }

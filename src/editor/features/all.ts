@@ -6,6 +6,7 @@ import type { Feature } from "./feature.ts";
 import { footsteps } from "./footsteps.ts";
 import { furniture } from "./furniture.ts";
 import { paths } from "./paths.ts";
+import { stones } from "./stones.ts";
 import { tasks } from "./tasks.ts";
 
 export const ALL_FEATURES: readonly Feature[] = [
@@ -15,5 +16,6 @@ export const ALL_FEATURES: readonly Feature[] = [
   footsteps,
   paths,
   captures,
+  stones,
   characters,
 ];
