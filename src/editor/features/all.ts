@@ -1,5 +1,6 @@
 /** Every feature of the editor, a line each. */
 import { basics } from "./basics.ts";
+import { captures } from "./captures.ts";
 import { characters } from "./characters.ts";
 import { crowds } from "./crowds.ts";
 import type { Feature } from "./feature.ts";
@@ -15,6 +16,7 @@ export const ALL_FEATURES: readonly Feature[] = [
   tasks,
   footsteps,
   paths,
+  captures,
   stones,
   characters,
   crowds,
