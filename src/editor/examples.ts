@@ -1,6 +1,11 @@
 /** The example scenes of the Scenes menu. */
 import aLecture from "../../assets/scenes/a-lecture.json";
 import alongTheBoard from "../../assets/scenes/along-the-board.json";
+import crowdCrossing from "../../assets/scenes/crowd-crossing.json";
+import crowdDoorway from "../../assets/scenes/crowd-doorway.json";
+import crowdEgress from "../../assets/scenes/crowd-egress.json";
+import crowdHallway from "../../assets/scenes/crowd-hallway.json";
+import crowdUTurn from "../../assets/scenes/crowd-u-turn.json";
 import movingBoxes from "../../assets/scenes/moving-boxes.json";
 import roundTheTable from "../../assets/scenes/round-the-table.json";
 import twoBoxesAway from "../../assets/scenes/two-boxes-away.json";
@@ -26,4 +31,9 @@ export const EXAMPLES: readonly Example[] = [
   { name: "Two boxes away", scene: () => parseScene(twoBoxesAway) },
   { name: "River", scene: riverScene },
   { name: "Pillars", scene: pillarScene },
+  { name: "Crowd: doorway", scene: () => parseScene(crowdDoorway) },
+  { name: "Crowd: hallway", scene: () => parseScene(crowdHallway) },
+  { name: "Crowd: leaving a room", scene: () => parseScene(crowdEgress) },
+  { name: "Crowd: U-turn", scene: () => parseScene(crowdUTurn) },
+  { name: "Crowd: crossing", scene: () => parseScene(crowdCrossing) },
 ];

@@ -1,8 +1,10 @@
 /** The editor page. */
 import { defaultScene } from "../core/scene/default-scene.ts";
+import { crowdSession } from "./crowd/crowd-session.ts";
 import { Editor } from "./editor.ts";
 import { FIRST_NAME } from "./examples.ts";
 import { pageKey } from "./keys.ts";
+import { ref } from "./selection.ts";
 import type { LogEntry } from "./session/plan-session.ts";
 import { loadName, loadScene } from "./session/storage.ts";
 
@@ -17,6 +19,17 @@ declare global {
       feetAt(frame: number): { root: number[]; contacts: number } | null;
       seek(time: number): void;
       restartPlanner(): void;
+      crowd(): {
+        seconds: number;
+        agents: number;
+        left: number;
+        ready: boolean;
+        picked: number;
+        nodes: number;
+      };
+      pickWalker(agent: number): void;
+      /** The scene's crowd run to its end in its worker: a hash of all trajectories. */
+      crowdHash(seconds: number): Promise<string>;
     };
   }
 }
@@ -74,6 +87,12 @@ async function start(): Promise<void> {
     },
     seek: (time) => editor.playback.seek(time),
     restartPlanner: () => editor.plan.restart(),
+    crowd: () => {
+      const { seconds, agents, left, ready, picked, story } = crowdSession(editor);
+      return { seconds, agents, left, ready, picked, nodes: story?.x.length ?? 0 };
+    },
+    pickWalker: (agent) => editor.scene.select([ref("crowd-walker", String(agent), agent)]),
+    crowdHash: (seconds) => crowdSession(editor).hash(seconds),
   };
 }
 

@@ -28,6 +28,8 @@ export interface Room {
   group: Group;
   key: DirectionalLight;
   setTheme(theme: Theme): void;
+  /** Takes the walls away and the fog far off, for crowds that need the floor. */
+  setOpen(open: boolean): void;
   /** Whether the floor is drawn: not where a scene has ground of its own. */
   showFloor(shown: boolean): void;
   /** Draws the light of the surroundings anew: it lives on the graphics card alone and is lost with the context. */
@@ -130,16 +132,23 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * 
   fill.position.set(5, 3.5, -3);
   group.add(hemisphere, key, key.target, fill);
   scene.add(group);
+  let open = false;
+  const fogOf = (colour: string | number): Fog => (open ? new Fog(colour, 24, 60) : new Fog(colour, 12, 22));
   return {
     group,
     key,
+    setOpen(now) {
+      open = now;
+      back.visible = side.visible = !open;
+      if (scene.fog) scene.fog = fogOf(scene.fog.color.getHex());
+    },
     setTheme(theme) {
       const t = ROOMS[theme];
       wallMaterial.color.set(t.wall);
       sideMaterial.color.set(t.side);
       floorMaterial.color.set(t.floor);
       scene.background = new Color(t.fog);
-      scene.fog = new Fog(t.fog, 12, 22);
+      scene.fog = fogOf(t.fog);
       scene.environmentIntensity = t.environment;
       hemisphere.color.set(t.hemisphere[0]);
       hemisphere.groundColor.set(t.hemisphere[1]);

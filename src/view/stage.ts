@@ -63,6 +63,9 @@ export class Stage {
   private readonly inkLines = new Map<number, Line>();
   private theme: Theme = "light";
   private waiting = 0;
+  /** Farthest that a scene is framed from, metres. */
+  private farthest = 13;
+  private figureShown = true;
   private warming = false;
   private shaders = false;
   private readonly budget = new FrameBudget(() => this.drawFull());
@@ -105,6 +108,24 @@ export class Stage {
     this.room.setTheme(theme);
     this.footprints.setTheme(theme);
     this.figure?.setTheme(theme);
+    this.invalidate();
+  }
+
+  /** A wide floor without walls, seen from farther off: for crowds. */
+  setOpen(open: boolean): void {
+    this.room.setOpen(open);
+    this.farthest = open ? 45 : 13;
+    this.controls.maxDistance = this.farthest + 1;
+    this.camera.far = open ? 120 : 60;
+    this.camera.updateProjectionMatrix();
+    this.invalidate();
+  }
+
+  /** Shows or hides the one character. */
+  setFigureShown(shown: boolean): void {
+    this.figureShown = shown;
+    if (this.figure) this.figure.group.visible = shown && this.guest === null;
+    if (this.guest) this.guest.group.visible = shown;
     this.invalidate();
   }
 
@@ -201,7 +222,7 @@ export class Stage {
         before.dispose();
       }
       // A newer one takes this one's place when it is ready.
-      figure.group.visible = this.guest === null;
+      figure.group.visible = this.guest === null && this.figureShown;
       this.scene.add(figure.group);
       this.invalidate();
     });
@@ -212,7 +233,7 @@ export class Stage {
     if (this.guest) this.scene.remove(this.guest.group);
     this.guest = guest;
     if (guest) this.scene.add(guest.group);
-    if (this.figure) this.figure.group.visible = guest === null;
+    if (this.figure) this.figure.group.visible = guest === null && this.figureShown;
     this.invalidate();
   }
 
@@ -346,7 +367,7 @@ export class Stage {
     );
     const distance = (reach * 1.12) / Math.tan((this.camera.fov * Math.PI) / 360) / Math.min(1.45, aspect);
     this.controls.target.copy(c);
-    this.camera.position.copy(c).addScaledVector(direction, Math.max(3, Math.min(13, distance)));
+    this.camera.position.copy(c).addScaledVector(direction, Math.max(3, Math.min(this.farthest, distance)));
     this.controls.update();
     this.invalidate();
   }

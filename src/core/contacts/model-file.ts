@@ -1,15 +1,18 @@
 /**
- * The oracle as bytes: the labelled motions that it remembers, not their windows, which are made again on reading.
+ * The oracle as bytes: the labelled motions that it remembers, not their windows, which are made again on reading; and the
+ * examples that it began with, where it began with any.
  *
- *     magic "SWO1" | uint32 length of the head | head: deflated JSON | body: deflated Float32 points and roots
+ *     magic "SWO2" | uint32 length of the head | head: deflated JSON
+ *     | body, deflated: Float32 points and roots, then the bytes of the examples
  */
 import { deflateSync, inflateSync, strFromU8, strToU8 } from "fflate";
 import * as v from "valibot";
-import { FEATURE_SETS } from "./features.ts";
+import { type Examples, packExamples, unpackExamples } from "./examples.ts";
+import { FEATURE_SETS, featureSize } from "./features.ts";
 import { LEG_ROW } from "./motion-track.ts";
 import { type LabelledTrack, type Oracle, trainOracle } from "./oracle.ts";
 
-const MAGIC = "SWO1";
+const MAGIC = "SWO2";
 const ROW = 2 * LEG_ROW + 4;
 
 const whole = (low: number, high: number) =>
@@ -24,6 +27,8 @@ const head = v.object({
     off: share,
     shortest: whole(0, 600),
   }),
+  /** Starting examples; 0 for none. */
+  base: whole(0, 5_000_000),
   tracks: v.array(
     v.object({
       name: v.string(),
@@ -44,6 +49,7 @@ export class ModelError extends Error {
 export function encodeOracle(oracle: Oracle): Uint8Array {
   const known: Head = {
     options: oracle.options,
+    base: oracle.base?.count ?? 0,
     tracks: oracle.sources.map((s) => ({
       name: s.track.name,
       frames: s.track.frames,
@@ -61,7 +67,12 @@ export function encodeOracle(oracle: Oracle): Uint8Array {
     at += track.frames * ROW;
   }
   const json = deflateSync(strToU8(JSON.stringify(known)));
-  const data = deflateSync(new Uint8Array(body.buffer));
+  const tracks = new Uint8Array(body.buffer);
+  const examples = oracle.base ? packExamples(oracle.base) : new Uint8Array(0);
+  const both = new Uint8Array(tracks.length + examples.length);
+  both.set(tracks);
+  both.set(examples, tracks.length);
+  const data = deflateSync(both);
   const out = new Uint8Array(8 + json.length + data.length);
   out.set(strToU8(MAGIC), 0);
   new DataView(out.buffer).setUint32(4, json.length, true);
@@ -77,20 +88,25 @@ export function decodeOracle(bytes: Uint8Array, name: string): Oracle {
   const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(4, true);
   let known: Head;
   let body: Float32Array;
+  let base: Examples | null = null;
   try {
     known = v.parse(head, JSON.parse(strFromU8(inflateSync(bytes.subarray(8, 8 + length)))));
     const raw = inflateSync(bytes.subarray(8 + length));
-    if (raw.byteLength % 4 !== 0) throw new RangeError("no whole numbers");
-    body = new Float32Array(raw.buffer.slice(raw.byteOffset, raw.byteOffset + raw.byteLength));
+    const tracks = 4 * ROW * known.tracks.reduce((n, t) => n + t.frames, 0);
+    if (raw.byteLength < tracks) throw new RangeError("cut short");
+    body = new Float32Array(raw.slice(0, tracks).buffer);
+    const rest = raw.slice(tracks);
+    if (known.base > 0) base = unpackExamples(rest, featureSize(known.options), known.base);
+    else if (rest.length > 0) throw new RangeError("more than its head says");
   } catch {
     throw new ModelError(`${name}: the contact model is damaged or cut short.`);
   }
   const damaged = (): ModelError => new ModelError(`${name}: the contact model is damaged or cut short.`);
   const frames = known.tracks.reduce((n, t) => n + t.frames, 0);
-  if (frames === 0 || frames * ROW !== body.length || !body.every(Number.isFinite)) throw damaged();
+  if ((frames === 0 && !base) || !body.every(Number.isFinite)) throw damaged();
   for (const t of known.tracks)
     if (t.labels.length !== t.frames || (t.mask && t.mask.length !== t.frames)) throw damaged();
-  if (!known.tracks.some((t) => !t.mask || t.mask.includes(1))) throw damaged();
+  if (!base && !known.tracks.some((t) => !t.mask || t.mask.includes(1))) throw damaged();
   let at = 0;
   const sources: LabelledTrack[] = known.tracks.map((t) => {
     const size = 2 * LEG_ROW * t.frames;
@@ -108,5 +124,5 @@ export function decodeOracle(bytes: Uint8Array, name: string): Oracle {
       ...(t.mask ? { mask: Uint8Array.from(t.mask) } : {}),
     };
   });
-  return trainOracle(sources, known.options);
+  return trainOracle(sources, known.options, base);
 }

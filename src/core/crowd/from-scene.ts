@@ -1,9 +1,9 @@
 /** A scene document's crowd as a world: agents, regions, and props as obstacles. */
 import { createRandom } from "../math/random.ts";
-import type { Scene } from "../scene/types.ts";
+import type { CrowdGait, Scene } from "../scene/types.ts";
 import { cosine, sine } from "./elementary.ts";
 import { obstacleGap } from "./ground.ts";
-import type { CrowdGoal, CrowdWorld, Obstacle } from "./types.ts";
+import { type CrowdGoal, type CrowdWorld, type Gait, limping, type Obstacle } from "./types.ts";
 
 /** The crowd of a scene; regions are filled from the scene's seed without overlap. @throws Error when it has none. */
 export function crowdOfScene(scene: Scene, name: string): CrowdWorld {
@@ -18,7 +18,13 @@ export function crowdOfScene(scene: Scene, name: string): CrowdWorld {
     sin: sine(p.yaw),
     round: p.kind === "pillar",
   }));
-  const world: CrowdWorld = { name, obstacles, agents: [], repairs: [] };
+  const world: CrowdWorld = {
+    name,
+    obstacles,
+    agents: [],
+    surfaces: scene.crowd.surfaces.map((s) => ({ bounds: ordered(s.bounds), cost: s.cost })),
+    repairs: [],
+  };
   const goals = (list: readonly (readonly [number, number])[], speed: number): CrowdGoal[] =>
     list.map(([x, z]) => ({ x, z, box: null, speed, patience: 1e9 }));
   for (const a of scene.crowd.agents)
@@ -28,9 +34,10 @@ export function crowdOfScene(scene: Scene, name: string): CrowdWorld {
       dirX: sine(a.yaw),
       dirZ: cosine(a.yaw),
       goals: goals(a.goals, a.speed),
+      gait: gaitOf(a.gait),
     });
   scene.crowd.regions.forEach((region, i) => {
-    const [x0, x1, z0, z1] = region.bounds;
+    const [x0, x1, z0, z1] = ordered(region.bounds);
     for (let k = 0; k < region.count; k++) {
       let placed = false;
       for (let trial = 0; trial < 400 && !placed; trial++) {
@@ -46,6 +53,7 @@ export function crowdOfScene(scene: Scene, name: string): CrowdWorld {
           dirX: (gx - x) / n,
           dirZ: (gz - z) / n,
           goals: goals(region.goals, region.speed),
+          gait: gaitOf(region.gait),
         });
         placed = true;
       }
@@ -56,4 +64,18 @@ export function crowdOfScene(scene: Scene, name: string): CrowdWorld {
     }
   });
   return world;
+}
+
+function gaitOf(gait: CrowdGait): Partial<Gait> {
+  if (gait === "usual") return {};
+  return limping(gait === "left leg hurts" ? 0 : 1);
+}
+
+function ordered([x0, x1, z0, z1]: readonly [number, number, number, number]): [
+  number,
+  number,
+  number,
+  number,
+] {
+  return [Math.min(x0, x1), Math.max(x0, x1), Math.min(z0, z1), Math.max(z0, z1)];
 }

@@ -5,7 +5,7 @@ import * as v from "valibot";
 import { FEET } from "../steps/types.ts";
 import { readJson } from "./json-text.ts";
 import { TASK_CATEGORIES } from "./task-types.ts";
-import { PROP_KINDS, PROP_SIZES, type Scene } from "./types.ts";
+import { CROWD_GAITS, PROP_KINDS, PROP_SIZES, type Scene } from "./types.ts";
 
 /** What is wrong with a document, and where: "tasks[2].yaw: a number is needed, found \"left\"." */
 export class SceneError extends Error {
@@ -91,10 +91,17 @@ const terrain = v.variant(
 );
 
 const goals = list(point2, 100);
+const bounds = v.tuple([place, place, place, place], "four numbers are needed");
 const crowd = object({
   agents: v.optional(
     list(
-      object({ position: point2, yaw: v.optional(angle, 0), goals, speed: v.optional(within(0.05, 5), 1.3) }),
+      object({
+        position: point2,
+        yaw: v.optional(angle, 0),
+        goals,
+        speed: v.optional(within(0.05, 5), 1.3),
+        gait: v.optional(oneOf(CROWD_GAITS), "usual"),
+      }),
       5000,
     ),
     [],
@@ -102,15 +109,17 @@ const crowd = object({
   regions: v.optional(
     list(
       object({
-        bounds: v.tuple([place, place, place, place], "four numbers are needed"),
+        bounds,
         count: v.pipe(within(0, 5000), v.integer("a whole number is needed")),
         goals,
         speed: v.optional(within(0.05, 5), 1.3),
+        gait: v.optional(oneOf(CROWD_GAITS), "usual"),
       }),
       100,
     ),
     [],
   ),
+  surfaces: v.optional(list(object({ bounds, cost: within(1, 20) }), 100), []),
 });
 
 const edit = object({
@@ -140,7 +149,7 @@ const document = object({
   paths: v.optional(list(path, 100), []),
   stones: v.optional(list(stone, 2000), []),
   order: v.optional(list(id, 3000)),
-  props: v.optional(list(prop, 500), []),
+  props: v.optional(list(prop, 2000), []),
   terrain: v.optional(terrain, { kind: "flat" }),
   crowd: v.optional(v.nullable(crowd), null),
   edits: v.optional(list(edit, 5000), []),

@@ -54,14 +54,33 @@ export type Terrain =
   | { kind: "slope"; angle: number; yaw: number }
   | { kind: "heightfield"; size: [number, number]; cells: [number, number]; heights: number[] };
 
+/** How a walker of the crowd steps: as usual, or with a leg that hurts. */
+export const CROWD_GAITS = ["usual", "left leg hurts", "right leg hurts"] as const;
+export type CrowdGait = (typeof CROWD_GAITS)[number];
+
+export interface SceneWalker {
+  position: [number, number];
+  yaw: number;
+  goals: [number, number][];
+  /** Metres a second. */
+  speed: number;
+  gait: CrowdGait;
+}
+
+export interface SceneRegion {
+  /** x0, x1, z0, z1. */
+  bounds: [number, number, number, number];
+  count: number;
+  goals: [number, number][];
+  speed: number;
+  gait: CrowdGait;
+}
+
 export interface CrowdSpec {
-  agents: { position: [number, number]; yaw: number; goals: [number, number][]; speed: number }[];
-  regions: {
-    bounds: [number, number, number, number];
-    count: number;
-    goals: [number, number][];
-    speed: number;
-  }[];
+  agents: SceneWalker[];
+  regions: SceneRegion[];
+  /** Ground that costs more energy to cross than plain floor, as a road beside a pavement. */
+  surfaces: { bounds: [number, number, number, number]; cost: number }[];
 }
 
 /** A planned footstep that the user changed; null fields are the planner's. */

@@ -1,6 +1,8 @@
 /** Every feature of the editor, a line each. */
 import { basics } from "./basics.ts";
+import { captures } from "./captures.ts";
 import { characters } from "./characters.ts";
+import { crowds } from "./crowds.ts";
 import type { Feature } from "./feature.ts";
 import { footsteps } from "./footsteps.ts";
 import { furniture } from "./furniture.ts";
@@ -14,6 +16,8 @@ export const ALL_FEATURES: readonly Feature[] = [
   tasks,
   footsteps,
   paths,
+  captures,
   stones,
   characters,
+  crowds,
 ];

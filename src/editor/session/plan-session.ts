@@ -43,6 +43,11 @@ export class PlanSession {
     this.note("asked", this.askedId);
   }
 
+  /** A person's own library beside the shipped one, or none any more. */
+  useLibrary(bytes: Uint8Array | null): void {
+    this.planner.useOwn(bytes);
+  }
+
   /** Sets lambda_4 and plans anew. */
   follow(lambda4: number): void {
     this.lambda4 = lambda4;

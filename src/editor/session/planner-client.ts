@@ -18,6 +18,7 @@ export class PlannerClient {
   private nextId = 1;
   private newest: Extract<PlannerRequest, { type: "plan" }> | null = null;
   private restarts = 0;
+  private own: Uint8Array | null = null;
 
   constructor(
     private readonly libraryUrl: string,
@@ -46,7 +47,15 @@ export class PlannerClient {
       if (worker === this.worker) this.restart();
     };
     this.send({ type: "load", url: this.libraryUrl });
+    if (this.own) this.send({ type: "own", bytes: this.own });
     // The worker plans as soon as it has the library; nothing has to come back first.
+    if (this.newest) this.send(this.newest);
+  }
+
+  /** A person's own library beside the shipped one, or none; the newest scene is planned anew with it. */
+  useOwn(bytes: Uint8Array | null): void {
+    this.own = bytes;
+    this.send({ type: "own", bytes });
     if (this.newest) this.send(this.newest);
   }
 
