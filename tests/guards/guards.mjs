@@ -87,7 +87,7 @@ export const GUARDS = [
   },
   {
     name: "planner client: a dead worker's answers are not heard",
-    file: "src/editor/planner-client.ts",
+    file: "src/editor/session/planner-client.ts",
     guard: "if (worker !== this.worker) return;",
     without: "",
     tests: "tests/unit/planner-client.test.ts",
@@ -95,7 +95,7 @@ export const GUARDS = [
   },
   {
     name: "planner client: the newest scene is sent to the next worker",
-    file: "src/editor/planner-client.ts",
+    file: "src/editor/session/planner-client.ts",
     guard: "if (this.newest) this.send(this.newest);",
     without: "",
     tests: "tests/unit/planner-client.test.ts",
@@ -103,7 +103,7 @@ export const GUARDS = [
   },
   {
     name: "planner client: a worker that always dies is left alone",
-    file: "src/editor/planner-client.ts",
+    file: "src/editor/session/planner-client.ts",
     guard: "if (this.restarts++ >= MOST_RESTARTS)",
     without: "if (this.restarts++ >= 1e9)",
     tests: "tests/unit/planner-client.test.ts",
@@ -111,7 +111,7 @@ export const GUARDS = [
   },
   {
     name: "storage: a database that does not answer is given up",
-    file: "src/editor/storage.ts",
+    file: "src/editor/session/storage.ts",
     guard: "return await soon(open().then(act));",
     without: "return await open().then(act);",
     tests: "tests/unit/storage.test.ts",
@@ -119,7 +119,7 @@ export const GUARDS = [
   },
   {
     name: "storage: what failed to open is opened anew",
-    file: "src/editor/storage.ts",
+    file: "src/editor/session/storage.ts",
     guard: "database = null;\n    throw error;",
     without: "throw error;",
     tests: "tests/unit/storage.test.ts",
