@@ -163,7 +163,8 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
     closeLeg(leg, offsets, pose, positions, world, upper, s, f);
     if (s[f + AIR] === 1) continue;
     const q = 4 * (upper + 2);
-    const bend = -2 * Math.atan2(pose[q], pose[q + 3]);
+    // Of the two quaternions of one turn the shorter way round: the other reads as a bend of a whole turn more.
+    const bend = -2 * Math.atan2(pose[q + 3] < 0 ? -pose[q] : pose[q], Math.abs(pose[q + 3]));
     if (easeAnkle(b, i, side, bend)) closeLeg(leg, offsets, pose, positions, world, upper, s, f);
     contacts |= contactsOfPitch(s[f + PITCH]) << (2 * side);
   }
