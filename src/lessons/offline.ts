@@ -1,0 +1,2 @@
+/** The embed page and the lessons in one classic script, for pages that may not load modules: each starts only on its own page. */
+import "../embed/frame.ts";
