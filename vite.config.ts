@@ -1,6 +1,7 @@
 import { existsSync, readdirSync } from "node:fs";
 import { defineConfig } from "vite";
 import { siteExtras } from "./src/cli/extras-plugin.ts";
+import { lessonPages } from "./src/cli/lesson-plugin.ts";
 import { shippedLibrary } from "./src/cli/library-plugin.ts";
 import { siteSafety } from "./src/cli/site-plugin.ts";
 
@@ -12,7 +13,7 @@ function pages(): string[] {
 
 export default defineConfig({
   base: "./",
-  plugins: [shippedLibrary(), siteSafety(), siteExtras()],
+  plugins: [lessonPages(), shippedLibrary(), siteSafety(), siteExtras()],
   worker: { format: "es" },
   server: { port: 5173 },
   preview: { port: 4173 },
