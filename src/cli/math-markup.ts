@@ -13,6 +13,7 @@ const SYMBOLS: Record<string, [tag: "mi" | "mo", text: string]> = {
   delta: ["mi", "δ"],
   epsilon: ["mi", "ε"],
   theta: ["mi", "θ"],
+  kappa: ["mi", "κ"],
   lambda: ["mi", "λ"],
   mu: ["mi", "μ"],
   pi: ["mi", "π"],
@@ -51,7 +52,13 @@ const SYMBOLS: Record<string, [tag: "mi" | "mo", text: string]> = {
   log: ["mi", "log"],
 };
 const SPACES: Record<string, string> = { quad: "1em", ",": "0.17em", ";": "0.28em", " ": "0.25em" };
-const ACCENTS: Record<string, string> = { hat: "^", bar: "\u00af", dot: "\u02d9", vec: "\u2192" };
+const ACCENTS: Record<string, string> = {
+  hat: "^",
+  bar: "\u00af",
+  dot: "\u02d9",
+  ddot: "\u00a8",
+  vec: "\u2192",
+};
 const FUNCTIONS = new Set(["sin", "cos", "tan", "exp", "log", "min", "max"]);
 
 const safe = (s: string): string => s.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
@@ -158,10 +165,9 @@ class Reader {
     }
     this.at++;
     if (/[A-Za-z]/.test(c)) return `<mi>${c}</mi>`;
-    if (c === "'") return "<mo>′</mo>";
     if (c === "-") return "<mo>−</mo>";
     if ("()[]|".includes(c)) return `<mo stretchy="false">${c}</mo>`;
-    if ("+=<>,.:;/!*".includes(c)) return `<mo>${safe(c)}</mo>`;
+    if ("+=<>,.:;/!*°".includes(c)) return `<mo>${safe(c)}</mo>`;
     this.at--;
     return this.fail(`${JSON.stringify(c)} is not known`);
   }
@@ -178,7 +184,10 @@ class Reader {
     for (;;) {
       this.skip();
       const c = this.text[this.at];
-      if (c === "_" && below === null) {
+      if (c === "'") {
+        this.at++;
+        above = above === null ? "<mo>′</mo>" : `<mrow>${above}<mo>′</mo></mrow>`;
+      } else if (c === "_" && below === null) {
         this.at++;
         below = this.atom();
       } else if (c === "^" && above === null) {

@@ -191,7 +191,10 @@ export class StepwrightScene extends Base {
   // ---- life ------------------------------------------------------------------------------------------------------
 
   connectedCallback(): void {
-    if (!this.shadowRoot) this.build(this.attachShadow({ mode: "open" }));
+    if (!this.shadowRoot) {
+      this.keepEarly();
+      this.build(this.attachShadow({ mode: "open" }));
+    }
     if (this.player) return;
     this.applyTheme();
     void this.open();
@@ -253,6 +256,16 @@ export class StepwrightScene extends Base {
     if (name === "src" || name === "scene") void this.open();
     else if (name === "theme") this.applyTheme();
     else this.applySettings();
+  }
+
+  /** Properties set before the element was defined hide those of the class: they are set again. */
+  private keepEarly(): void {
+    for (const name of [...ATTRIBUTES, "playbackRate"] as const) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value: unknown = Reflect.get(this, name);
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
+    }
   }
 
   private build(root: ShadowRoot): void {

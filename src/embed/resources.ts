@@ -27,7 +27,9 @@ export function absolute(address: string): string {
 /** The present places, the library's made absolute. */
 export function places(): Resources {
   const library =
-    resources.library === "" ? new URL(/* @vite-ignore */ "library.bin", import.meta.url).href : absolute(resources.library);
+    resources.library === ""
+      ? new URL(/* @vite-ignore */ "library.bin", import.meta.url).href
+      : absolute(resources.library);
   return { ...resources, library };
 }
 

@@ -95,7 +95,7 @@ function addResets(figure: HTMLElement, box: HTMLElement, parameters: Parameters
 function fillScenes(): void {
   for (const element of document.querySelectorAll("stepwright-scene")) {
     const scene = LESSON_SCENES[element.dataset.scene ?? ""];
-    if (scene) element.scene = scene();
+    if (scene) element.setAttribute("scene", JSON.stringify(scene()));
   }
 }
 
