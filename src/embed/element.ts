@@ -216,6 +216,11 @@ export class StepwrightScene extends Base {
     size.observe(this.bar);
     const hidden = () => this.refresh();
     document.addEventListener("visibilitychange", hidden);
+    // Printers see no canvas: a still stands in its place.
+    const printing = () => this.putStill();
+    const printed = () => this.view.querySelector("img.still")?.remove();
+    window.addEventListener("beforeprint", printing);
+    window.addEventListener("afterprint", printed);
     const scheme = matchMedia("(prefers-color-scheme: dark)");
     const themed = () => this.applyTheme();
     scheme.addEventListener("change", themed);
@@ -226,6 +231,8 @@ export class StepwrightScene extends Base {
       {
         disconnect: () => {
           document.removeEventListener("visibilitychange", hidden);
+          window.removeEventListener("beforeprint", printing);
+          window.removeEventListener("afterprint", printed);
           scheme.removeEventListener("change", themed);
         },
       },
@@ -395,6 +402,13 @@ export class StepwrightScene extends Base {
     this.markers?.attach(picture?.stage ?? null);
     this.player?.attach(picture?.stage ?? null);
     if (picture?.problem) this.fail(picture.problem);
+  }
+
+  private putStill(): void {
+    const { stage } = this.picture ?? {};
+    if (!stage) return;
+    this.view.querySelector("img.still")?.remove();
+    this.view.append(el("img", { class: "still", alt: "", src: stage.still() }));
   }
 
   private resize(): void {

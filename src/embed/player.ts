@@ -9,7 +9,7 @@ import type { Scene } from "../core/scene/types.ts";
 import { JOINT_COUNT } from "../core/skeleton/joints.ts";
 import { createSkeleton } from "../core/skeleton/skeleton.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
-import { MotionStore } from "../editor/motion-store.ts";
+import { MotionStore } from "../editor/session/motion-store.ts";
 import type { Footprint } from "../view/footprints.ts";
 import type { Stage } from "../view/stage.ts";
 import type { PlannerResponse } from "../workers/protocol.ts";
@@ -54,7 +54,7 @@ export class Player {
   private paused = true;
   private begun = false;
   private meshKey = "";
-  private selected: string | null = null;
+  private selected: readonly string[] = [];
 
   constructor(
     scene: Scene,
@@ -113,10 +113,10 @@ export class Player {
   /** Another scene, from its start. Undo forgets what was before. */
   load(scene: Scene): void {
     this.history = new History(scene);
-    this.selected = null;
+    this.selected = [];
     this.time = 0;
     this.begun = false;
-    this.stage?.setScene(scene, null);
+    this.stage?.setScene(scene, []);
     this.frame();
     this.skin();
     this.ask(true);
@@ -153,9 +153,9 @@ export class Player {
   }
 
   select(id: string | null): void {
-    if (this.selected === id) return;
-    this.selected = id;
-    this.stage?.setScene(this.scene, id);
+    if ((this.selected[0] ?? null) === id) return;
+    this.selected = id === null ? [] : [id];
+    this.stage?.setScene(this.scene, this.selected);
     this.show();
   }
 

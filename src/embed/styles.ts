@@ -89,6 +89,8 @@ a.tool:hover { background: color-mix(in srgb, var(--ink) 5.5%, transparent); }
 .panels td { padding: 1px 6px 1px 0; color: var(--ink-2); }
 .panels td:last-child { text-align: right; }
 .panels .swatch { width: 10px; height: 10px; display: inline-block; border-radius: 3px; margin-inline-end: 6px; }
+img.still { position: absolute; inset: 0; width: 100%; height: 100%; object-fit: cover; display: none; }
+@media print { img.still { display: block; } .bar, .overlay, .wait { display: none; } }
 .hidden { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 @container (max-width: 419px) { .strip { display: none; } a.tool span, button.tool span { display: none; } }
 @media (pointer: coarse) { button.tool, a.tool { height: 44px; min-width: 44px; } }

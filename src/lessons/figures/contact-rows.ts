@@ -3,8 +3,6 @@
 import type { ContactTrack } from "../../core/steps/types.ts";
 import { svgEl } from "../../embed/dom.ts";
 
-export const BIT_NAMES = ["left heel", "left toe", "right heel", "right toe"] as const;
-
 export interface ContactRow {
   name: string;
   contacts: ContactTrack;

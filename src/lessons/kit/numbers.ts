@@ -3,4 +3,3 @@ export const fixed = (v: number, places: number): string => {
   const text = v.toFixed(places);
   return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "\u2212");
 };
-export const degrees = (radians: number): string => `${fixed((radians * 180) / Math.PI, 0)}°`;
