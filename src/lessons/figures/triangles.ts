@@ -23,7 +23,7 @@ export const mount: MountFigure = async ({ figure, box, parameters }) => {
   const data = await askLandingPoints();
   wait.remove();
   const floor = new Floor(
-    { x: 0, z: 0.25, width: 2.9, aspect: 0.9 },
+    { x: 0, z: 0.5, width: 2.3, aspect: 1.25 },
     "Landing points of the clips, seen from the root",
   );
   const foot = choiceOf(parameters, `${key}foot`, 0, "Foot", ["Left", "Right"]);
@@ -36,7 +36,14 @@ export const mount: MountFigure = async ({ figure, box, parameters }) => {
     );
   const finding = el("p", { class: "finding", role: "status" });
   floor.handle(parameters, `${key}stone`, [0.12, 0.55], "The stone");
-  box.append(el("div", { class: "pane" }, floor.svg), controls, finding);
+  box.append(
+    el(
+      "div",
+      { class: "panes" },
+      el("div", { class: "pane" }, floor.svg),
+      el("div", { class: "stacked" }, controls, finding),
+    ),
+  );
   const spaces = data.feet.map(createFootSpace);
   const roots = createRootSpace(data.velocities);
   const rootW = new Float64Array(data.velocities.length);
