@@ -3,6 +3,7 @@
  * A few small moves after the optimisation; a plan that needs none is left as it is.
  */
 import { toLocal, toWorld } from "../math/frame2.ts";
+import { pivotPlace } from "../motion/sole.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import { type DraftStep, type Feet, footPose, otherFoot } from "./draft.ts";
 import { pivotEnd } from "./pivots.ts";
@@ -22,7 +23,7 @@ export const TIDY = {
   footMiddle: 0.06 / 0.93,
 };
 
-/** Moves footsteps that cross, overreach or stand in an obstacle. Mutates `steps`; pivots are left. */
+/** Moves footsteps that cross, overreach or stand in an obstacle. Mutates `steps`; pivots only follow their foot. */
 export function tidyFootsteps(
   skeleton: Skeleton,
   feet: Feet,
@@ -32,7 +33,13 @@ export function tidyFootsteps(
   const leg = skeleton.legLength;
   const now: Feet = { left: feet.left, right: feet.right };
   for (const s of steps) {
-    if (!pivotEnd(s.category)) {
+    const end = pivotEnd(s.category);
+    if (end) {
+      // Its foot may have been moved before.
+      const place = pivotPlace(skeleton.foot, now[s.foot], s.yaw, end);
+      s.x = place.x;
+      s.z = place.z;
+    } else {
       const stance = footPose(now[otherFoot(s.foot)]);
       const side = s.foot === "left" ? 1 : -1;
       // Across the mean direction of both feet, so that a turned foot may stand with its heel to the other.
