@@ -28,7 +28,10 @@ function putRight(folder) {
       const after = before
         .replace(/(new URL\("[^"]+)\.ts"/g, '$1.js"')
         // Bundlers that know this form take the captures along.
-        .replace('new URL(/* @vite-ignore */ "library.bin", import.meta.url)', 'new URL("./library.bin", import.meta.url)')
+        .replace(
+          'new URL(/* @vite-ignore */ "library.bin", import.meta.url)',
+          'new URL("./library.bin", import.meta.url)',
+        )
         .replace(/((?:from|import\()\s*"\.[^"]+)\.ts"/g, '$1.js"');
       if (after !== before) writeFileSync(path, after);
     }

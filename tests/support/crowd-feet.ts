@@ -1,8 +1,8 @@
 /** Where the feet of an animated crowd really are, from its skinning matrices, beside where they were planned to be. */
 import { type CrowdMotion, moveCrowd } from "../../src/core/crowd/motion.ts";
 import { J } from "../../src/core/skeleton/joints.ts";
-import { restPlaces } from "../../src/view/character/body-shape.ts";
 import type { Skeleton } from "../../src/core/skeleton/skeleton.ts";
+import { restPlaces } from "../../src/view/character/body-shape.ts";
 
 const wrap = (a: number): number => Math.atan2(Math.sin(a), Math.cos(a));
 

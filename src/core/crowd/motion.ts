@@ -6,7 +6,7 @@ import { type BlendCrowd, createBlendCrowd } from "../blending/crowd.ts";
 import type { BlendLibrary } from "../blending/library.ts";
 import { arcTangent } from "./elementary.ts";
 import type { CrowdFootstep } from "./footfalls.ts";
-import { changeSession, createSession, type CrowdSession, runSession } from "./session.ts";
+import { type CrowdSession, changeSession, createSession, runSession } from "./session.ts";
 import type { CrowdWorld } from "./types.ts";
 
 /** Longest step of the animation's clock, seconds. */

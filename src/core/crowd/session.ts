@@ -2,7 +2,7 @@
  * A crowd that runs while somebody watches and changes its world. It is simulated a little ahead of what is shown, so that every
  * footstep is known before its foot leaves the ground; a change takes it back to just after the moment shown.
  */
-import { changeGround, createCrowd, type Crowd, stepCrowd, stepsOf } from "./crowd.ts";
+import { type Crowd, changeGround, createCrowd, stepCrowd, stepsOf } from "./crowd.ts";
 import { type CrowdFootstep, createFootfallMemory, type FootfallMemory, footfallsOf } from "./footfalls.ts";
 import { type CrowdSnapshot, restoreSnapshot, takeSnapshot } from "./snapshot.ts";
 import { type CrowdWorld, TICK } from "./types.ts";
@@ -101,8 +101,7 @@ export function changeSession(s: CrowdSession, world: CrowdWorld, shown: number)
     s.memory.duration.set(kept.memory.duration);
     s.kept = s.kept.filter((k) => k.crowd.tick < kept.crowd.tick);
     s.footsteps = s.footsteps.filter((f) => f.tick < crowd.tick);
-    for (let i = 0; i < s.gone.length; i++)
-      if (crowd.people[i].here) s.gone[i] = Number.POSITIVE_INFINITY;
+    for (let i = 0; i < s.gone.length; i++) if (crowd.people[i].here) s.gone[i] = Number.POSITIVE_INFINITY;
   }
   changeGround(crowd, world);
   return true;
