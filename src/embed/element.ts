@@ -38,6 +38,8 @@ export interface SceneEventDetails {
 const ATTRIBUTES = ["src", "scene", "controls", "panels", "autoplay", "loop", "locked", "theme"] as const;
 /** Pictures kept at a time: browsers allow some sixteen drawing contexts. */
 const MOST_PICTURES = 8;
+/** Name of the performance mark that each element sets when it has drawn for the first time. */
+export const FIRST_RENDER = "stepwright-first-render";
 /** An element this near to the screen gets its picture, CSS pixels. */
 const NEAR = "300px";
 
@@ -64,6 +66,7 @@ export class StepwrightScene extends Base {
   private near = false;
   private seen = false;
   private said = false;
+  private marked = false;
   private opened = 0;
   private watchers: { disconnect(): void }[] = [];
   private readonly view = el("div", { class: "view", part: "view" });
@@ -385,6 +388,8 @@ export class StepwrightScene extends Base {
     if (this.near && !this.picture) {
       if (drawn.size >= MOST_PICTURES) for (const other of drawn) if (!other.near) other.setPicture(null);
       const picture = drawOn(this.view, this.dataset.theme === "dark" ? "dark" : "light", () => {
+        if (!this.marked) performance.mark(FIRST_RENDER);
+        this.marked = true;
         this.markers?.draw();
         this.tellReady();
       });
