@@ -8,6 +8,7 @@ import { Stage } from "../view/stage.ts";
 import { ALL_FEATURES } from "./features/all.ts";
 import { Registry } from "./features/feature.ts";
 import { LayerHost } from "./layers/layer.ts";
+import { edges } from "./parts/edges.ts";
 import { helpSheet } from "./parts/help-sheet.ts";
 import { overlayChips } from "./parts/overlay.ts";
 import { panel } from "./parts/panel.ts";
@@ -16,6 +17,7 @@ import { toolRail } from "./parts/tool-rail.ts";
 import { topBar } from "./parts/top-bar.ts";
 import { CharacterSession } from "./session/character-session.ts";
 import { Files } from "./session/files.ts";
+import { LongWork } from "./session/long-work.ts";
 import { PlanSession } from "./session/plan-session.ts";
 import { Playback } from "./session/playback.ts";
 import { SceneSession } from "./session/scene-session.ts";
@@ -35,6 +37,7 @@ export interface Places {
   panel: HTMLElement;
   timeline: HTMLElement;
   live: HTMLElement;
+  edges: HTMLElement;
   canvas: HTMLCanvasElement;
 }
 
@@ -47,6 +50,7 @@ export class Editor {
   readonly playback: Playback;
   readonly character: CharacterSession;
   readonly files: Files;
+  readonly work: LongWork;
   readonly layers: LayerHost;
   readonly tools: ToolHost;
   readonly markers: Markers;
@@ -60,9 +64,10 @@ export class Editor {
   constructor(
     private readonly places: Places,
     scene: Scene,
+    name: string,
     theme: EditorState["theme"],
   ) {
-    this.store = createEditorStore(scene, theme);
+    this.store = createEditorStore(scene, name, theme);
     this.stage = new Stage(places.canvas);
     this.layers = new LayerHost(this);
     this.markers = new Markers(this, places.viewport.querySelector(".overlay") as HTMLElement);
@@ -73,6 +78,7 @@ export class Editor {
     this.plan = new PlanSession(this);
     this.character = new CharacterSession(this);
     this.files = new Files(this);
+    this.work = new LongWork(this);
     this.store.subscribe(() => this.redraw());
     document.documentElement.dataset.theme = theme;
     this.stage.setTheme(theme);
@@ -103,16 +109,18 @@ export class Editor {
       render(timeline(this), this.places.timeline);
       const chips = this.places.viewport.querySelector(".chips") as HTMLElement;
       render([toolRail(this), overlayChips(this)], chips);
+      edges(this, this.places.edges);
       helpSheet(this);
     });
   }
 
   private resize(): void {
     const box = this.places.viewport.getBoundingClientRect();
-    const narrow = window.innerWidth < 1200 && window.innerWidth >= 760;
-    this.stage.resize(box.width, box.height, { left: 56, top: 0, right: narrow ? 284 : 0, bottom: 0 });
+    const floats = window.innerWidth < 1200 && window.innerWidth >= 760;
+    const left = window.innerWidth < 760 ? 0 : 56;
+    this.stage.resize(box.width, box.height, { left, top: 0, right: floats ? 284 : 0, bottom: 0 });
     const tracks = this.places.timeline.getBoundingClientRect();
-    this.tracksSize = { width: Math.max(240, tracks.width - 24), height: Math.max(80, tracks.height - 54) };
+    this.tracksSize = { width: Math.max(240, tracks.width - 24), height: Math.max(60, tracks.height - 54) };
     this.redraw();
   }
 
@@ -202,6 +210,12 @@ export class Editor {
     window.clearTimeout(this.toastTimer);
     this.set({ toast: { text, undo, warns } });
     this.toastTimer = window.setTimeout(() => this.set({ toast: null }), 6000);
+  }
+
+  /** A sentence that is hovered or focused stays; it goes six seconds after. */
+  holdToast(held: boolean): void {
+    window.clearTimeout(this.toastTimer);
+    if (!held) this.toastTimer = window.setTimeout(() => this.set({ toast: null }), 6000);
   }
 
   fail(message: string): void {

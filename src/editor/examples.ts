@@ -11,8 +11,11 @@ export interface Example {
   scene(): Scene;
 }
 
+/** What the scene of a first visit is called. */
+export const FIRST_NAME = "Two tables";
+
 export const EXAMPLES: readonly Example[] = [
-  { name: "Two tables", scene: defaultScene },
+  { name: FIRST_NAME, scene: defaultScene },
   { name: "Along the board", scene: () => parseScene(alongTheBoard) },
   { name: "Moving boxes", scene: () => parseScene(movingBoxes) },
   { name: "Round the table", scene: () => parseScene(roundTheTable) },

@@ -1,5 +1,6 @@
 /** Pictograms, 18 px, drawn with strokes. */
 import { html, svg, type TemplateResult } from "lit";
+import { unsafeSVG } from "lit/directives/unsafe-svg.js";
 import type { TaskCategory } from "../core/scene/task-types.ts";
 
 const icon = (body: TemplateResult): TemplateResult =>
@@ -9,6 +10,17 @@ export const ICONS = {
   select: icon(svg`<path d="M4 3l9.5 4.6-4 1.5-1.6 4.2z" />`),
   task: icon(
     svg`<circle cx="6.500" cy="9" r="4" /><path d="M6.500 8.900v.2M13.500 6.200L17 9l-3.500 2.800z" fill="currentColor" />`,
+  ),
+  share: icon(svg`<path d="M9 11V2.500M6 5l3-3 3 3M4.500 9v6h9V9" />`),
+  tick: icon(svg`<path d="M4 9.500l3.500 3.500L14 5.500" />`),
+  warning: icon(svg`<path d="M9 3L2.500 14.500h13zM9 7.500v3.200M9 12.600v.1" />`),
+  close: icon(svg`<path d="M5 5l8 8M13 5l-8 8" />`),
+  more: icon(svg`<path d="M4 9h.1M9 9h.1M14 9h.1" stroke-width="2.500" />`),
+  camera: icon(
+    svg`<rect x="2.500" y="5" width="13" height="9.500" rx="2" /><circle cx="9" cy="9.700" r="2.600" /><path d="M6.500 5l1-2h3l1 2" />`,
+  ),
+  foot: icon(
+    svg`<path d="M6.500 9.500C5 5 6.500 2 9 2s4 3 2.800 7.500zM6.800 11.500h5c.300 2.500-.500 4.500-2.500 4.500s-2.800-2-2.500-4.500z" />`,
   ),
   snap: icon(
     svg`<path d="M4.500 15V9a4.500 4.500 0 019 0v6h-3V9a1.500 1.500 0 00-3 0v6zM4.500 12h3M10.500 12h3" />`,
@@ -37,13 +49,26 @@ export const ICONS = {
   ),
 };
 
+/** Inside of each category's pictogram, 18 x 18. */
+export const TASK_SHAPES: Record<TaskCategory, string> = {
+  write: '<path d="M11.5 3.5l3 3L6.5 14.5 3 15l.5-3.5zM10 5l3 3"/>',
+  lift: '<rect x="4.5" y="9" width="9" height="6" rx="1"/><path d="M9 7V2M6.5 4.5L9 2l2.5 2.5"/>',
+  place: '<path d="M3 15h12M5 12h8V9.5M9 2v5M6.5 5L9 7.5 11.5 5M5 12V9.5"/>',
+  sit: '<path d="M5 3v7h7v5M5 15v-5M12 10l2 5"/>',
+  stand: '<circle cx="9" cy="3.6" r="1.6"/><path d="M9 6v5M6 8h6M9 11l-2.5 5M9 11l2.5 5"/>',
+  turn: '<path d="M14 9a5 5 0 11-2-4M12.5 2v3.5H9"/>',
+};
+
+const taskIcon = (c: TaskCategory): TemplateResult =>
+  html`<svg viewBox="0 0 18 18" aria-hidden="true">${unsafeSVG(TASK_SHAPES[c])}</svg>`;
+
 export const TASK_ICONS: Record<TaskCategory, TemplateResult> = {
-  write: icon(svg`<path d="M11.5 3.5l3 3L6.5 14.5 3 15l.5-3.5zM10 5l3 3" />`),
-  lift: icon(svg`<rect x="4.5" y="9" width="9" height="6" rx="1" /><path d="M9 7V2M6.5 4.5L9 2l2.5 2.5" />`),
-  place: icon(svg`<path d="M3 15h12M5 12h8V9.5M9 2v5M6.5 5L9 7.5 11.5 5M5 12V9.5" />`),
-  sit: icon(svg`<path d="M5 3v7h7v5M5 15v-5M12 10l2 5" />`),
-  stand: icon(svg`<circle cx="9" cy="3.6" r="1.6" /><path d="M9 6v5M6 8h6M9 11l-2.5 5M9 11l2.5 5" />`),
-  turn: icon(svg`<path d="M14 9a5 5 0 11-2-4M12.5 2v3.5H9" />`),
+  write: taskIcon("write"),
+  lift: taskIcon("lift"),
+  place: taskIcon("place"),
+  sit: taskIcon("sit"),
+  stand: taskIcon("stand"),
+  turn: taskIcon("turn"),
 };
 
 export const TASK_WORDS: Record<TaskCategory, string> = {

@@ -1,9 +1,10 @@
 /** The editor page. */
 import { defaultScene } from "../core/scene/default-scene.ts";
 import { Editor } from "./editor.ts";
+import { FIRST_NAME } from "./examples.ts";
 import { pageKey } from "./keys.ts";
 import type { LogEntry } from "./session/plan-session.ts";
-import { loadScene } from "./session/storage.ts";
+import { loadName, loadScene } from "./session/storage.ts";
 
 declare global {
   interface Window {
@@ -28,9 +29,14 @@ async function start(): Promise<void> {
   overlay.className = "overlay";
   const chips = document.createElement("div");
   chips.className = "chips";
+  const edges = document.createElement("div");
+  edges.className = "edges";
   viewport.append(overlay, chips);
+  find("#app").append(edges);
   find(".top-bar").textContent = "";
-  const scene = (await loadScene()) ?? defaultScene();
+  const kept = await loadScene();
+  const scene = kept ?? defaultScene();
+  const name = kept ? ((await loadName()) ?? "Scene") : FIRST_NAME;
   const dark = matchMedia("(prefers-color-scheme: dark)").matches;
   let editor: Editor;
   try {
@@ -41,9 +47,11 @@ async function start(): Promise<void> {
         panel: find(".panel"),
         timeline: find(".timeline"),
         live: find("#live"),
+        edges,
         canvas: find("#stage"),
       },
       scene,
+      name,
       dark ? "dark" : "light",
     );
   } catch (error) {

@@ -9,6 +9,8 @@ import type { Ref } from "./selection.ts";
 
 export interface EditorState {
   scene: Scene;
+  /** What the user calls the scene. */
+  name: string;
   selection: readonly Ref[];
   /** Id of the tool at hand, and of its choice ("write" of the task tool) where it has choices. */
   tool: string;
@@ -36,17 +38,22 @@ export interface EditorState {
   /** Id of the menu that is open. */
   menu: string | null;
   help: boolean;
+  /** Height of the bottom sheet on narrow windows. */
+  sheet: "peek" | "half" | "full";
   toast: { text: string; undo: boolean; warns: boolean } | null;
   status: string | null;
+  /** Work that takes longer: what, how far (0 to 1), and a fact; null for none. */
+  progress: { name: string; share: number; fact: string } | null;
   hoverStep: number;
   error: string | null;
 }
 
 export type Store = ReturnType<typeof createEditorStore>;
 
-export function createEditorStore(scene: Scene, theme: Theme) {
+export function createEditorStore(scene: Scene, name: string, theme: Theme) {
   return createStore<EditorState>(() => ({
     scene,
+    name,
     selection: [],
     tool: "select",
     choice: null,
@@ -68,7 +75,9 @@ export function createEditorStore(scene: Scene, theme: Theme) {
     saved: "saved",
     menu: null,
     help: false,
+    sheet: "half",
     toast: null,
+    progress: null,
     status: "Loading captures",
     hoverStep: -1,
     error: null,

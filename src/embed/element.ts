@@ -291,12 +291,21 @@ export class StepwrightScene extends Base {
       const open = el("a", { class: "tool", href: editor, target: "_blank", rel: "noopener" }, icon("steps"));
       open.append(el("span", {}, "Open"));
       open.setAttribute("aria-label", "Open in the editor");
+      // The address carries the scene as it is when the link is about to be followed.
+      for (const event of ["pointerdown", "pointerenter", "focus"])
+        open.addEventListener(event, () => void this.addressEditor(open, editor));
       this.bar.append(open);
     }
     this.view.append(this.message, this.wait);
     root.append(this.view, this.panelBox, this.bar, this.live);
     this.showPlaying(false);
     this.showTime();
+  }
+
+  private async addressEditor(link: HTMLAnchorElement, editor: string): Promise<void> {
+    if (!this.player) return;
+    const { sceneToHash } = await import("../editor/session/share.ts");
+    link.href = `${editor}${await sceneToHash(this.player.scene, "Shared scene")}`;
   }
 
   /** The scene that the attributes name: `scene`, else the document at `src`, else a room of our own. */
@@ -459,7 +468,8 @@ export class StepwrightScene extends Base {
     this.dispatchEvent(new CustomEvent(name, { detail }));
   }
 
-  private fail(text: string): void {
+  /** Shows a sentence that says what is wrong, and tells of it. */
+  fail(text: string): void {
     this.message.textContent = text;
     this.message.hidden = false;
     this.wait.hidden = true;

@@ -2,8 +2,9 @@
  * The page inside a frame (`embed.html`): one element over the whole window.
  *
  * Its address says what to show: `src` or `scene` (a document as JSON), `panels`, `autoplay`, `loop`, `locked`, `theme`, `bar=off`
- * and `origin`, once for each page that may talk to it (its own origin always may).
+ * and `origin`, once for each page that may talk to it (its own origin always may). A share link's `#s=...` is a scene, too.
  */
+import { carriesScene, sceneFromHash } from "../editor/session/share.ts";
 import { defineElement } from "./define.ts";
 import { listen } from "./frame-api.ts";
 import { configure } from "./resources.ts";
@@ -21,6 +22,13 @@ function start(): void {
     if (query.has(name)) element.setAttribute(name, query.get(name) ?? "");
   for (const name of ["autoplay", "loop", "locked"]) element.toggleAttribute(name, query.has(name));
   element.toggleAttribute("controls", query.get("bar") !== "off");
+  if (carriesScene(location.hash))
+    sceneFromHash(location.hash).then(
+      ({ scene }) => {
+        element.scene = scene;
+      },
+      (error: unknown) => element.fail(error instanceof Error ? error.message : String(error)),
+    );
   document.body.append(element);
   listen(element, [new URL(location.href).origin, ...query.getAll("origin")]);
 }

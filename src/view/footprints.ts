@@ -159,9 +159,13 @@ export class FootprintLayer {
   private readonly marks: InstancedMesh;
   private readonly cells: InstancedBufferAttribute;
   private prints: Footprint[] = [];
+  /** Selected prints have a wider outline. */
+  private readonly wide = new Vector3(1.22, 1, 1.12);
   private mode: FootprintMode = "category";
   private theme: Theme = "light";
+  /** Under the pointer; -1 for none. */
   private selected = -1;
+  private chosen: readonly number[] = [];
 
   constructor() {
     const unlit = { transparent: true, depthWrite: false, toneMapped: false, fog: false } as const;
@@ -201,7 +205,8 @@ export class FootprintLayer {
     this.refresh();
   }
 
-  set(prints: Footprint[], mode: FootprintMode): void {
+  set(prints: Footprint[], mode: FootprintMode, chosen: readonly number[]): void {
+    this.chosen = chosen;
     this.prints = prints;
     this.mode = mode;
     this.refresh();
@@ -233,6 +238,7 @@ export class FootprintLayer {
       );
       this.fill.setMatrixAt(i, m);
       m.elements[13] -= 0.001;
+      if (this.chosen.includes(i)) m.scale(this.wide);
       this.outline.setMatrixAt(i, m);
       const fill =
         this.mode === "phase"
@@ -246,7 +252,7 @@ export class FootprintLayer {
       if (p.state === "past") colour.lerp(floor, 0.55);
       this.fill.setColorAt(i, colour);
       colour.copy(line);
-      if (p.state === "past") colour.lerp(floor, 0.55);
+      if (p.state === "past" && !this.chosen.includes(i)) colour.lerp(floor, 0.55);
       this.outline.setColorAt(i, colour);
       if (p.category && p.category !== "Walk" && this.mode === "category") {
         const heelMark = p.category === "HeelPivot";

@@ -30,6 +30,8 @@ export interface Room {
   setTheme(theme: Theme): void;
   /** Draws the light of the surroundings anew: it lives on the graphics card alone and is lost with the context. */
   relight(): void;
+  /** Shadows of 512 pixels while frames are spared, of 2048 otherwise. */
+  setDetail(sparing: boolean): void;
   dispose(): void;
 }
 
@@ -148,6 +150,19 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * 
       grid.uGrid.value.set(t.grid[0]);
       grid.uFine.value = t.grid[1];
       grid.uCoarse.value = t.grid[2];
+    },
+    setDetail(sparing) {
+      const { shadow } = key;
+      const size = sparing ? 512 : 2048;
+      if (shadow.mapSize.x === size) return;
+      shadow.mapSize.set(size, size);
+      shadow.radius = sparing ? 3 : 7;
+      shadow.blurSamples = sparing ? 8 : 20;
+      // Made anew at its size by the next frame.
+      shadow.map?.dispose();
+      shadow.mapPass?.dispose();
+      shadow.map = null;
+      shadow.mapPass = null;
     },
     relight() {
       environment = light();

@@ -29,6 +29,7 @@ import type { Skeleton } from "../core/skeleton/skeleton.ts";
 import type { CharacterMesh } from "./character/build-mesh.ts";
 import { Figure } from "./character/figure.ts";
 import { type Footprint, FootprintLayer, type FootprintMode } from "./footprints.ts";
+import { FrameBudget } from "./frame-budget.ts";
 import { PathLines } from "./path-lines.ts";
 import { boxMesh, createProp } from "./props.ts";
 import { createRoom, type Room } from "./room.ts";
@@ -57,13 +58,16 @@ export class Stage {
   private readonly inkLines = new Map<number, Line>();
   private theme: Theme = "light";
   private waiting = 0;
+  private readonly budget = new FrameBudget(() => this.drawFull());
+  /** Whether the last picture was drawn in full while frames are spared. */
+  private full = true;
   private free: FreeRect = { left: 0, top: 0, right: 0, bottom: 0 };
   private size = { width: 1, height: 1 };
   /** Called after each drawn frame, for what lies over the canvas. */
   onDraw: () => void = () => undefined;
 
   /** @throws Error when the browser has no WebGL 2. */
-  constructor(private readonly canvas: HTMLCanvasElement) {
+  constructor(readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.shadowMap.enabled = true;
@@ -187,8 +191,9 @@ export class Stage {
     this.invalidate();
   }
 
-  setFootprints(prints: Footprint[], mode: FootprintMode): void {
-    this.footprints.set(prints, mode);
+  /** @param chosen indices of prints that are selected. */
+  setFootprints(prints: Footprint[], mode: FootprintMode, chosen: readonly number[] = []): void {
+    this.footprints.set(prints, mode, chosen);
     this.invalidate();
   }
 
@@ -301,8 +306,7 @@ export class Stage {
   resize(width: number, height: number, free: FreeRect): void {
     this.size = { width: Math.max(1, width), height: Math.max(1, height) };
     this.free = free;
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
-    this.renderer.setSize(this.size.width, this.size.height, false);
+    this.setDetail(this.budget.sparing);
     this.camera.aspect = this.size.width / this.size.height;
     // The middle of the picture is the middle of the free part.
     this.camera.setViewOffset(
@@ -317,10 +321,15 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Draws at once and in full, for those who read the canvas in the same turn. */
+  drawNow(): void {
+    this.drawFull();
+  }
+
   /** What is drawn, as a PNG. @throws Error when the browser gives none. */
   picture(): Promise<Blob> {
     // Drawn and read in the same turn: the buffer is not kept afterwards.
-    this.renderer.render(this.scene, this.camera);
+    this.drawNow();
     return new Promise((resolve, reject) => {
       this.canvas.toBlob((blob) => {
         if (blob) resolve(blob);
@@ -338,14 +347,30 @@ export class Stage {
   /** Asks for a frame. */
   invalidate(): void {
     if (this.waiting) return;
-    this.waiting = requestAnimationFrame(() => {
+    this.waiting = requestAnimationFrame((now) => {
       this.waiting = 0;
+      if (this.budget.frame(now) || this.full) this.setDetail(this.budget.sparing);
+      this.full = false;
       this.renderer.render(this.scene, this.camera);
       this.onDraw();
     });
   }
 
+  /** The picture has come to rest: once more in full. */
+  private drawFull(): void {
+    this.setDetail(false);
+    this.full = true;
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  private setDetail(sparing: boolean): void {
+    this.renderer.setPixelRatio(sparing ? 1 : Math.min(2, window.devicePixelRatio || 1));
+    this.renderer.setSize(this.size.width, this.size.height, false);
+    this.room.setDetail(sparing);
+  }
+
   dispose(): void {
+    this.budget.dispose();
     cancelAnimationFrame(this.waiting);
     this.controls.dispose();
     this.room.dispose();

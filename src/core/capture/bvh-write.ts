@@ -30,8 +30,11 @@ const number = (v: number): string => {
 /**
  * The clip as BVH text. Root channels: position, then Z X Y rotation (degrees); other joints Z X Y rotation.
  * Reading it back gives every joint within 1e-5 m.
+ *
+ * @param options.rootOffset false writes the hips' OFFSET as zero: some readers add it to the position's channels.
  */
-export function writeBvh(clip: Clip): string {
+export function writeBvh(clip: Clip, options: { rootOffset?: boolean } = {}): string {
+  const rootOffset = options.rootOffset ?? true;
   const out: string[] = ["HIERARCHY"];
   const order: number[] = [];
   const children = (joint: number) => [...PARENTS.keys()].filter((j) => PARENTS[j] === joint);
@@ -40,9 +43,8 @@ export function writeBvh(clip: Clip): string {
     const o = clip.skeleton.offsets;
     out.push(`${pad}${joint === 0 ? "ROOT" : "JOINT"} ${JOINT_NAMES[joint]}`, `${pad}{`);
     // The hips' own offset is their rest place: the rest pose stands on the ground.
-    out.push(
-      `${pad}  OFFSET ${number(o[3 * joint])} ${number(o[3 * joint + 1])} ${number(o[3 * joint + 2])}`,
-    );
+    const at = joint === 0 && !rootOffset ? [0, 0, 0] : [o[3 * joint], o[3 * joint + 1], o[3 * joint + 2]];
+    out.push(`${pad}  OFFSET ${at.map(number).join(" ")}`);
     out.push(
       joint === 0
         ? `${pad}  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation`

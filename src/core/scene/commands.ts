@@ -3,7 +3,7 @@ import { wrapAngle } from "../math/angle.ts";
 import { toLocal, toWorld } from "../math/frame2.ts";
 import { propsOfTask } from "./props.ts";
 import type { TaskCategory } from "./task-types.ts";
-import type { Scene, SceneProp, SceneTask } from "./types.ts";
+import type { FootstepEdit, Scene, SceneProp, SceneTask } from "./types.ts";
 import { PROP_SIZES } from "./types.ts";
 
 /** A task with what stands under it moved rigidly to a place and yaw. Unknown ids change nothing. */
@@ -186,4 +186,34 @@ export function removePath(scene: Scene, id: string): Scene {
     paths: scene.paths.filter((p) => p.id !== id),
     order: scene.order.filter((x) => x !== id),
   };
+}
+
+/** What the user asks of a planned footstep, laid over what was asked before; fields left out stay. */
+export function editFootstep(
+  scene: Scene,
+  task: string | null,
+  step: number,
+  change: Partial<Omit<FootstepEdit, "task" | "step">>,
+): Scene {
+  const mine = (e: FootstepEdit): boolean => e.task === task && e.step === step;
+  const before = scene.edits.find(mine) ?? {
+    task,
+    step,
+    foot: null,
+    position: null,
+    yaw: null,
+    lift: null,
+    land: null,
+    pinned: false,
+  };
+  return { ...scene, edits: [...scene.edits.filter((e) => !mine(e)), { ...before, ...change }] };
+}
+
+/** Footsteps given back to the planner. */
+export function releaseFootsteps(
+  scene: Scene,
+  steps: readonly { task: string | null; step: number }[],
+): Scene {
+  const edits = scene.edits.filter((e) => !steps.some((s) => s.task === e.task && s.step === e.step));
+  return edits.length === scene.edits.length ? scene : { ...scene, edits };
 }

@@ -140,6 +140,7 @@ export interface ApproachGoal {
  * Walking and turning steps from the present feet to a stance; none where it is best taken as it is.
  *
  * @param last the foot that landed last; null when both have stood for a while.
+ * @param wished the foot that the user asks for as step `k` of the approach, where there is one.
  */
 export function approach(
   library: Library,
@@ -148,6 +149,7 @@ export function approach(
   goal: ApproachGoal,
   carrying: boolean,
   obstacles: readonly Obstacle[],
+  wished: (k: number) => Foot | undefined = () => undefined,
 ): DraftStep[] {
   const all = movesOf(library);
   const moves = carrying && all.carrying.left.length > 4 ? all.carrying : all.free;
@@ -165,15 +167,20 @@ export function approach(
     move: null,
   };
   const wrong = last === swing ? 0.35 : 0;
+  // A foot asked for on the way is not got round by ending before it.
+  let least = 0;
+  for (let k = 0; k < DEPTH - 1; k++) if (wished(k) !== undefined) least = k + 1;
   let best = start;
-  let bestTotal = wrong + remaining(start.feet, goal.stanceFoot, aim, there);
+  let bestTotal =
+    least > 0 ? Number.POSITIVE_INFINITY : wrong + remaining(start.feet, goal.stanceFoot, aim, there);
   let beam = [start];
   for (let depth = 1; depth <= DEPTH && beam.length > 0; depth++) {
     const children: Child[] = [];
     let worst = bestTotal;
     for (const parent of beam) {
       for (const foot of ["left", "right"] as const) {
-        if (parent.last === foot) continue;
+        const asked = wished(depth - 1);
+        if (asked === undefined ? parent.last === foot : foot !== asked) continue;
         const stance = parent.feet[otherFoot(foot)];
         const own = toLocal(stance, parent.feet[foot]);
         const target = foot === goal.stanceFoot ? aim : there;
@@ -209,7 +216,7 @@ export function approach(
       move,
     }));
     for (const node of beam) {
-      if (node.last !== goal.stanceFoot) continue;
+      if (node.last !== goal.stanceFoot || depth < least) continue;
       const total = node.cost + remaining(node.feet, goal.stanceFoot, aim, there);
       if (total < bestTotal) {
         bestTotal = total;

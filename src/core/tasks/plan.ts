@@ -47,9 +47,12 @@ export interface PlanInput {
   keptTask: TaskGoal | null;
   /** Whether to record the optimiser's terms. */
   trace: boolean;
+  /** Feet that the user asks for, by "task index:count of the step among those that lead to it". */
+  feetWished?: ReadonlyMap<string, Foot>;
 }
 
 interface Context {
+  feetWished: ReadonlyMap<string, Foot>;
   library: Library;
   skeleton: Skeleton;
   walks: Walks;
@@ -87,6 +90,7 @@ export function planTasks(input: PlanInput): Plan {
     warnings: [],
   };
   const context: Context = {
+    feetWished: input.feetWished ?? new Map(),
     library,
     skeleton,
     walks,
@@ -397,6 +401,7 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
   let after: WalkWish["after"] = lastSegment(context);
   const firstStep = context.timeline.steps.length;
   const fresh: DraftStep[] = [];
+  const earlier = context.timeline.steps.reduce((n, s) => (s.task === index ? n + 1 : n), 0);
   const beforeLocomotion: Feet = { ...feet };
   const beforeFoot = context.lastFoot;
   for (let guard = 0; guard < MOST_STEPS; guard++) {
@@ -413,7 +418,9 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
     // Who has to arrive facing elsewhere begins to bend earlier.
     const bend = Math.abs(wrapAngle(entry.aim.yaw - course));
     if (via === entry.route.length - 1 && remaining < (2.4 + 0.9 * Math.min(2, bend)) * length) break;
-    const foot = context.lastFoot ? otherFoot(context.lastFoot) : towards(feet, course);
+    const foot =
+      context.feetWished.get(`${index}:${earlier + fresh.length}`) ??
+      (context.lastFoot ? otherFoot(context.lastFoot) : towards(feet, course));
     const stance = feet[otherFoot(foot)];
     const turn = wrapAngle(course - stance.yaw);
     const wish: WalkWish = {
@@ -441,7 +448,7 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
     context.lastFoot = foot;
     after = { clip: step.clip, step: step.step };
   }
-  prepareEntry(context, entry, index, fresh, beforeLocomotion);
+  prepareEntry(context, entry, index, fresh, beforeLocomotion, earlier);
   context.feet = beforeLocomotion;
   context.lastFoot = beforeFoot;
   for (const s of fresh) lay(context, s, index, null);
@@ -449,8 +456,16 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
 }
 
 /** Enter Task Preparation: further steps where they are needed, and the last three re-optimised [TaskLoco §5.5]. */
-function prepareEntry(context: Context, entry: Entry, index: number, fresh: DraftStep[], before: Feet): void {
+function prepareEntry(
+  context: Context,
+  entry: Entry,
+  index: number,
+  fresh: DraftStep[],
+  before: Feet,
+  earlier: number,
+): void {
   const { walks, feet } = context;
+  const walked = fresh.length;
   const steps = approach(
     context.library,
     feet,
@@ -458,6 +473,7 @@ function prepareEntry(context: Context, entry: Entry, index: number, fresh: Draf
     { stanceFoot: entry.stanceFoot, stance: entry.stance },
     context.carrying,
     context.obstacles,
+    (k) => context.feetWished.get(`${index}:${earlier + walked + k}`),
   );
   for (const s of steps) feet[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
   fresh.push(...steps);

@@ -2,9 +2,9 @@
 
 import { parseScene } from "../../core/scene/schema.ts";
 import type { Editor } from "../editor.ts";
-import { EXAMPLES } from "../examples.ts";
 import { pictureExport } from "../formats/picture.ts";
 import { sceneExport, sceneImport } from "../formats/scene-json.ts";
+import { videoExport } from "../formats/video.ts";
 import type { KeyBinding } from "../keys.ts";
 import { characterLayer } from "../layers/character.ts";
 import type { MenuEntry } from "../menus.ts";
@@ -14,10 +14,46 @@ import type { Feature } from "./feature.ts";
 
 const some = (e: Editor): boolean => e.store.getState().selection.length > 0;
 
+const QUARTER = Math.PI / 2;
+const WAYS = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [1, 0], ArrowRight: [-1, 0] } as const;
+/** Arrows wherever the focus is on the page; handles have their own. Not shown one by one in the sheet. */
+const nudges: readonly KeyBinding[] = Object.entries(WAYS).flatMap(([key, [x, z]]) =>
+  (
+    [
+      ["", 0.05],
+      ["Alt+", 0.01],
+      ["Shift+", 0.25],
+    ] as const
+  ).map(
+    ([held, by]): KeyBinding => ({
+      keys: [held + key],
+      label: "",
+      group: "Selected",
+      when: some,
+      run: (e) => e.scene.nudge(x * by, z * by, 0),
+    }),
+  ),
+);
+
 const keys: readonly KeyBinding[] = [
   { keys: [], shown: "arrows", label: "Nudge 5 cm", group: "Selected" },
   { keys: [], shown: "Alt arrows, Shift arrows", label: "Nudge 1 cm, 25 cm", group: "Selected" },
-  { keys: [], shown: "R, Shift R", label: "Turn 15°, back", group: "Selected" },
+  ...nudges,
+  {
+    keys: ["R"],
+    label: "Turn 15°",
+    group: "Selected",
+    when: some,
+    run: (e) => e.scene.nudge(0, 0, QUARTER / 6),
+  },
+  {
+    keys: ["Shift+R"],
+    shown: "Shift R",
+    label: "Turn back 15°",
+    group: "Selected",
+    when: some,
+    run: (e) => e.scene.nudge(0, 0, -QUARTER / 6),
+  },
   { keys: [], shown: "Tab, Shift Tab", label: "Next, previous", group: "Selected" },
   { keys: [], shown: "Shift click, Shift drag", label: "Add to the selection", group: "Selected" },
   { keys: ["Ctrl+D"], label: "Duplicate", group: "Selected", when: some, run: (e) => e.scene.duplicate() },
@@ -60,14 +96,6 @@ const keys: readonly KeyBinding[] = [
 ];
 
 const menu: readonly MenuEntry[] = [
-  ...EXAMPLES.map(
-    (x, i): MenuEntry => ({
-      menu: "scenes",
-      label: x.name,
-      order: i,
-      run: (e) => e.scene.replace(x.scene(), x.name),
-    }),
-  ),
   {
     menu: "scenes",
     label: "New, empty room",
@@ -83,7 +111,8 @@ export const basics: Feature = {
   tabs: [sceneTab],
   layers: [characterLayer],
   imports: [sceneImport],
-  exports: [sceneExport, pictureExport],
+  exports: [sceneExport, pictureExport, videoExport],
   keys,
   menu,
+  start: (e) => void e.files.openLink(),
 };

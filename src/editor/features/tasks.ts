@@ -1,5 +1,5 @@
 /** Tasks: put down, moved, planned for; the plan and its motion as files [TaskLoco]. */
-import { bvhExport } from "../formats/bvh.ts";
+import { motionExports } from "../formats/motion.ts";
 import { resultExport } from "../formats/result-json.ts";
 import { feetLane } from "../lanes/feet.ts";
 import { taskLane } from "../lanes/tasks.ts";
@@ -17,7 +17,7 @@ export const tasks: Feature = {
   tabs: [taskTab, planTab],
   lanes: [taskLane, feetLane],
   layers: [footprintLayer],
-  exports: [bvhExport, resultExport],
+  exports: [...motionExports, resultExport],
   keys: [
     {
       keys: ["K"],

@@ -5,7 +5,7 @@ export interface ExportFormat {
   id: string;
   /** As the menu shows it: "Motion, BVH at 60 Hz". */
   label: string;
-  /** File name with its ending. */
+  /** What follows the scene's name in the file's: ".bvh", "-footsteps.csv". */
   file: string;
   type: string;
   /** Place in the menu; groups are hundreds. */
@@ -14,7 +14,8 @@ export interface ExportFormat {
   shortcut?: string;
   /** Why it cannot be made now, as one sentence; null when it can. */
   blocked?(e: Editor): string | null;
-  make(e: Editor): string | Blob | Promise<string | Blob>;
+  /** @returns null when the user gave it up. @throws Error with what is wrong. */
+  make(e: Editor): string | Blob | Promise<string | Blob | null>;
 }
 
 export interface ImportFormat {

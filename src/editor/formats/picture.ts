@@ -4,7 +4,7 @@ import type { ExportFormat } from "./format.ts";
 export const pictureExport: ExportFormat = {
   id: "picture",
   label: "Picture of the room (PNG)",
-  file: "room.png",
+  file: ".png",
   type: "image/png",
   order: 300,
   make: (e) => e.stage.picture(),

@@ -1,14 +1,14 @@
 /** The result document as a file: footsteps, contacts, timing, figures. */
 import { resultDocument } from "../../core/scene/result.ts";
 import type { ExportFormat } from "./format.ts";
-import { motionMissing } from "./motion-ready.ts";
+import { motionMissing } from "./motion.ts";
 
 export const resultExport: ExportFormat = {
   id: "result",
   label: "Footsteps, contacts, figures (JSON)",
-  file: "result.json",
+  file: "-result.json",
   type: "application/json",
-  order: 100,
+  order: 102,
   blocked: motionMissing,
   make(e) {
     const s = e.store.getState();

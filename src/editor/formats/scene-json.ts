@@ -5,7 +5,7 @@ import type { ExportFormat, ImportFormat } from "./format.ts";
 export const sceneExport: ExportFormat = {
   id: "scene",
   label: "Scene (JSON)",
-  file: "scene.json",
+  file: ".json",
   type: "application/json",
   order: 200,
   shortcut: "Ctrl S",
@@ -18,6 +18,6 @@ export const sceneImport: ImportFormat = {
   endings: [".json"],
   async open(e, files) {
     const file = files[files.length - 1];
-    e.scene.replace(readScene(await file.text(), file.name), file.name);
+    e.scene.replace(readScene(await file.text(), file.name), file.name.replace(/\.json$/i, ""));
   },
 };

@@ -1,6 +1,7 @@
 /** The timeline's strips: what rests of each foot, when, and of which step. */
 import { feetSvg } from "../../plots/timeline-strip.ts";
 import { CATEGORY_COLOURS, CATEGORY_WORDS } from "../../view/tokens.ts";
+import { changeStep, selectedSteps, stepRef } from "../things/footsteps.ts";
 import type { Lane } from "./lane.ts";
 
 const NONE = new Uint8Array(0);
@@ -27,10 +28,38 @@ export const feetLane: Lane = {
         colours: CATEGORY_COLOURS,
         words: CATEGORY_WORDS,
         hover: s.hoverStep,
+        selected: selectedSteps(e).map((x) => x.index),
       },
       frame.x,
       frame.height,
     );
+  },
+  down(e, target, frame, ev) {
+    const { plan } = e.store.getState();
+    const edge = target.closest("[data-edge]")?.getAttribute("data-edge");
+    const bar = target.closest("[data-step]")?.getAttribute("data-step");
+    const index = Number(edge ?? bar ?? -1);
+    const step = plan?.steps[index];
+    if (!plan || !step) return null;
+    const r = stepRef(plan, index);
+    e.scene.select([r]);
+    if (!edge) return { plain: true, move: () => undefined };
+    // The landing is dragged: the foot is longer or shorter in the air, and what follows moves along.
+    const { lift, land } = step;
+    const perPixel = frame.seconds(frame.x(lift) + 100) - lift;
+    return {
+      move(p) {
+        const by = ((p.event.clientX - ev.clientX) * perPixel) / 100;
+        changeStep(e, r, { lift, land: Math.max(lift + 0.1, land + by) });
+      },
+    };
+  },
+  keydown(e, target, ev) {
+    const { plan } = e.store.getState();
+    const bar = target.closest("[data-step]")?.getAttribute("data-step");
+    if (!plan || bar === null || bar === undefined || (ev.key !== "Enter" && ev.key !== " ")) return false;
+    e.scene.select([stepRef(plan, Number(bar))]);
+    return true;
   },
   hover(e, target) {
     const step = target?.closest("[data-step]")?.getAttribute("data-step");

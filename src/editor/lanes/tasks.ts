@@ -1,6 +1,6 @@
 /** The timeline's tasks: a bar each while it is done, an arrow to the next. */
 import { tasksSvg } from "../../plots/timeline-strip.ts";
-import { TASK_WORDS } from "../icons.ts";
+import { TASK_SHAPES, TASK_WORDS } from "../icons.ts";
 import { hasRef, ref } from "../selection.ts";
 import type { Lane } from "./lane.ts";
 
@@ -19,6 +19,7 @@ export const taskLane: Lane = {
           word: task ? TASK_WORDS[task.category].split(" ")[0] : t.id,
           contact: t.contact,
           end: t.end,
+          shape: task ? TASK_SHAPES[task.category] : "",
           selected: hasRef(s.selection, ref("task", t.id)),
         };
       }),

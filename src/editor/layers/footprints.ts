@@ -1,7 +1,7 @@
 /** The plan's footprints on the floor, and which of them is under the pointer. */
 import type { Footprint } from "../../view/footprints.ts";
 import type { Editor } from "../editor.ts";
-import { ref } from "../selection.ts";
+import { indexOfStep, stepRef } from "../things/footsteps.ts";
 import type { ViewportLayer } from "./layer.ts";
 
 export function footprintLayer(e: Editor): ViewportLayer {
@@ -30,7 +30,8 @@ export function footprintLayer(e: Editor): ViewportLayer {
         };
       }),
     ];
-    e.stage.setFootprints(prints, s.colouring);
+    const chosen = s.selection.flatMap((r) => (r.kind === "step" ? indexOfStep(plan, r) + 2 : []));
+    e.stage.setFootprints(prints, s.colouring, chosen);
   };
   return {
     id: "footprints",
@@ -38,7 +39,8 @@ export function footprintLayer(e: Editor): ViewportLayer {
     time: (_, seconds) => draw(seconds),
     pick(ray) {
       const i = e.stage.footprintOn(ray) - 2;
-      return i >= 0 ? ref("step", "plan", i) : null;
+      const { plan } = e.store.getState();
+      return plan && i >= 0 && i < plan.steps.length ? stepRef(plan, i) : null;
     },
   };
 }

@@ -5,6 +5,7 @@ import { STEP_CATEGORIES } from "../../core/steps/types.ts";
 import { transitionGraph } from "../../plots/transition-graph.ts";
 import { CATEGORY_COLOURS, CATEGORY_WORDS } from "../../view/tokens.ts";
 import type { Editor } from "../editor.ts";
+import { sole } from "../parts/sole.ts";
 import type { PanelTab } from "./panel-tab.ts";
 import { competition, objective } from "./planner-story.ts";
 
@@ -34,7 +35,7 @@ function draw(e: Editor): TemplateResult {
     </section>
     <section class="section">
       <header><h3>Steps by category</h3><span>${s.plan?.steps.length ?? 0}</span></header>
-      <div class="list">${STEP_CATEGORIES.map((c, i) => html`<div class="row" style="grid-template-columns: 20px 1fr 40px; min-height: 24px"><span class="swatch" style="background: ${CATEGORY_COLOURS[c].fill}"></span>${CATEGORY_WORDS[c]}<span style="text-align: right">${counts[i]}</span></div>`)}</div>
+      <div class="list">${STEP_CATEGORIES.map((c, i) => html`<div class="row" style="grid-template-columns: 20px 1fr 40px; min-height: 24px">${sole(c)}${CATEGORY_WORDS[c]}<span style="text-align: right">${counts[i]}</span></div>`)}</div>
     </section>
     ${competition(e, Math.max(0, e.plan.currentTask()))} ${objective(e, Math.max(0, e.plan.currentTask()))}
     ${

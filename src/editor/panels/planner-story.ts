@@ -3,8 +3,9 @@ import { html, type TemplateResult } from "lit";
 import { unsafeSVG } from "lit/directives/unsafe-svg.js";
 import { TERM_NAMES } from "../../core/optimize/phase-weights.ts";
 import { objectiveFinding, objectivePlot } from "../../plots/objective.ts";
-import { CATEGORY_COLOURS, CATEGORY_WORDS } from "../../view/tokens.ts";
+import { CATEGORY_WORDS } from "../../view/tokens.ts";
 import type { Editor } from "../editor.ts";
+import { sole } from "../parts/sole.ts";
 
 /** The templates that competed for coming to a task. */
 export function competition(e: Editor, index: number): TemplateResult {
@@ -19,7 +20,7 @@ export function competition(e: Editor, index: number): TemplateResult {
       ${enter.list.map(
         (c, i) => html`<div class=${c.chosen ? "chosen" : ""} title=${c.template}>
           <span>${i + 1}</span>
-          <span class="feet" role="img" aria-label=${c.steps.map((x) => CATEGORY_WORDS[x.category]).join(", ")}>${c.steps.slice(0, 11).map((x) => html`<i class=${x.foot} style="background: ${CATEGORY_COLOURS[x.category].fill}"></i>`)}</span>
+          <span class="feet" role="img" aria-label=${c.steps.map((x) => CATEGORY_WORDS[x.category]).join(", ")}>${c.steps.slice(0, 9).map((x) => html`<i class=${x.foot}>${sole(x.category, x.foot)}</i>`)}</span>
           <span class="track"><span style="width: ${(100 * c.distance) / most}%"></span></span><em>${c.distance.toFixed(2)}</em>
         </div>`,
       )}

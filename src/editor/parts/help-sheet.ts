@@ -24,6 +24,7 @@ export function helpSheet(e: Editor): void {
   const sheet = dialog;
   const draw = () => {
     const rows = allKeys(e)
+      .filter((b) => b.label !== "")
       .map((b) => ({ ...b, text: b.shown ?? b.keys.map((k) => k.replaceAll("+", " ")).join(", ") }))
       .filter((b) => `${b.label} ${b.text}`.toLowerCase().includes(search.toLowerCase()));
     render(

@@ -3,6 +3,7 @@ import { html, type TemplateResult } from "lit";
 import { unsafeSVG } from "lit/directives/unsafe-svg.js";
 import { playheadSvg, RULER, rulerSvg, stripScale } from "../../plots/timeline-strip.ts";
 import type { Editor } from "../editor.ts";
+import { pictureExport } from "../formats/picture.ts";
 import { ICONS } from "../icons.ts";
 import type { Lane, LaneFrame } from "../lanes/lane.ts";
 
@@ -28,6 +29,7 @@ export function timeline(e: Editor): TemplateResult {
       <span class="space"></span>
       <span class="quiet">${s.snap ? "Snap 5 cm" : ""}</span>
       <button class="icon" aria-label="Fit the view" title="Fit the view (F)" @click=${() => e.frameScene()}>${ICONS.frame}</button>
+      <button class="icon wide" aria-label="Picture of the room" title="Picture of the room" @click=${() => void e.files.save(pictureExport)}>${ICONS.camera}</button>
     </div>
     <div class="tracks" @pointerdown=${(ev: PointerEvent) => down(e, ev)} @pointermove=${(ev: PointerEvent) => hover(e, ev)} @pointerleave=${() => leave(e)} @keydown=${(ev: KeyboardEvent) => key(e, ev)}>
       ${unsafeSVG(tracks(e))}

@@ -2,6 +2,9 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../editor.ts";
 import { ICONS } from "../icons.ts";
+import { exportSwitches } from "./export-switches.ts";
+import { menuRows } from "./menu-rows.ts";
+import { legendRows } from "./overlay.ts";
 
 export function toolRail(e: Editor): TemplateResult {
   const s = e.store.getState();
@@ -9,11 +12,13 @@ export function toolRail(e: Editor): TemplateResult {
   return html`<div class="rail" role="toolbar" aria-orientation="vertical" aria-label="Tools">
     ${e.tools.all.map(
       (t) =>
-        html`<button aria-label=${t.label} data-tip="${t.label}  ${t.key}" aria-pressed=${t === current} @click=${() => e.tools.use(t === current ? "select" : t.id)}>${t.icon}<span class="word">${t.label}</span></button>`,
+        html`<button aria-label=${t.label} data-tip="${t.label}  ${t.key}" aria-pressed=${t === current} class=${t.order >= 50 ? "wide" : ""} @click=${() => e.tools.use(t === current ? "select" : t.id)}>${t.icon}<span class="word">${t.label}</span></button>`,
     )}
+    <button class="narrow" aria-label="More" aria-haspopup="menu" aria-expanded=${s.menu === "more"} @click=${() => e.setMenu("more")}>${ICONS.more}<span class="word">More</span></button>
     <hr />
-    <button aria-label="Snap to 5 cm and 15°" data-tip="Snap to 5 cm and 15°  X" aria-pressed=${s.snap} @click=${() => e.set({ snap: !s.snap })}>${ICONS.snap}<span class="word">Snap</span></button>
+    <button class="wide" aria-label="Snap to 5 cm and 15°" data-tip="Snap to 5 cm and 15°  X" aria-pressed=${s.snap} @click=${() => e.set({ snap: !s.snap })}>${ICONS.snap}<span class="word">Snap</span></button>
   </div>
+  ${s.menu === "more" ? more(e) : nothing}
   ${
     current.choices
       ? html`<div class="rail choices" role="toolbar" aria-orientation="vertical" aria-label="${current.label}: which">
@@ -21,4 +26,24 @@ export function toolRail(e: Editor): TemplateResult {
       </div>`
       : nothing
   }`;
+}
+
+/** What narrow windows have no room for: files, theme, help, snapping, the legend. */
+function more(e: Editor): TemplateResult {
+  const s = e.store.getState();
+  const act = (label: string, run: () => void): TemplateResult =>
+    html`<button role="menuitem" @click=${() => {
+      e.set({ menu: null });
+      run();
+    }}>${label}</button>`;
+  return html`<div class="menu more" role="menu" aria-label="More">
+    <div class="legend-rows">${legendRows(e)}</div>
+    <hr />
+    ${e.tools.all.filter((t) => t.order >= 50).map((t) => act(t.label, () => e.tools.use(t.id)))}
+    ${act(s.snap ? "Snapping is on: turn it off" : "Snap to 5 cm and 15°", () => e.set({ snap: !s.snap }))}
+    ${act(s.theme === "light" ? "Dark theme" : "Light theme", () => e.toggleTheme())}
+    ${act("Keys and help", () => e.set({ help: true }))}
+    <hr />
+    ${exportSwitches(e)}${menuRows(e.registry.exports, (f) => void e.files.save(f))}
+  </div>`;
 }

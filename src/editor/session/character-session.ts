@@ -1,5 +1,6 @@
 /** The character's skin: made by a worker for each build, one that dies is replaced three times. */
 import { createSkeleton } from "../../core/skeleton/skeleton.ts";
+import type { CharacterMesh } from "../../view/character/build-mesh.ts";
 import type { MeshRequest, MeshResponse } from "../../workers/mesh-worker.ts";
 import type { Editor } from "../editor.ts";
 
@@ -11,6 +12,8 @@ export class CharacterSession {
   private deaths = 0;
   private id = 0;
   private asked = "";
+  /** The skin that is shown; null before the first. */
+  mesh: CharacterMesh | null = null;
 
   constructor(private readonly e: Editor) {
     this.worker = this.start();
@@ -46,6 +49,7 @@ export class CharacterSession {
   private hear(answer: MeshResponse): void {
     if (answer.id !== this.id) return;
     const { height, proportions } = this.e.store.getState().scene.character;
+    this.mesh = answer.mesh;
     this.e.stage.setCharacter(createSkeleton(height, proportions), answer.mesh);
     this.e.playback.show();
   }

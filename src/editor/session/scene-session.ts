@@ -76,7 +76,7 @@ export class SceneSession {
   private save(): void {
     window.clearTimeout(this.saveTimer);
     this.saveTimer = 0;
-    void saveScene(this.history.scene).then((ok) => {
+    void saveScene(this.history.scene, this.e.store.getState().name).then((ok) => {
       // A newer scene that waits to be kept says so itself.
       if (this.saveTimer === 0) this.e.set({ saved: ok ? "saved" : "off" });
     });
@@ -109,14 +109,20 @@ export class SceneSession {
     if (this.history.redo()) this.changed();
   }
 
-  /** Another scene, as one entry of the history: undo brings the one before back. */
+  /** Another scene, as one entry of the history: undo brings the one before back. `name` is what it is called. */
   replace(scene: Scene, name: string): void {
     this.history.apply(scene);
-    this.e.set({ selection: [], tab: "scene", menu: null, time: 0 });
+    this.e.set({ selection: [], tab: "scene", menu: null, time: 0, name });
     this.e.plan.startOver();
     this.changed();
     this.e.frameScene();
     this.e.say(`${name} opened.`, true);
+  }
+
+  /** What the scene is called from now on. */
+  rename(name: string): void {
+    this.e.set({ name: name.trim() === "" ? "Scene" : name.trim().slice(0, 80) });
+    this.save();
   }
 
   // ---- the selection -------------------------------------------------------------------------------------------

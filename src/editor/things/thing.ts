@@ -30,8 +30,11 @@ export interface ThingKind {
   noun: string;
   /** Place of its list. */
   order: number;
-  /** How its handle is drawn over the viewport; "none" for things picked in the stage itself. */
-  handle: "ball" | "dot" | "none";
+  /**
+   * How its handle is drawn over the viewport: "selected" shows one only while the thing is selected, "none" never; both are
+   * picked in the stage itself.
+   */
+  handle: "ball" | "dot" | "selected" | "none";
   /** All of them, in the order of the plan. */
   list(e: Editor): Thing[];
   /** Whether handles are shown now; left out: always. */

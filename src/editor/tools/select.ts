@@ -2,6 +2,7 @@
 import type { Editor } from "../editor.ts";
 import { ICONS } from "../icons.ts";
 import { hasRef } from "../selection.ts";
+import { indexOfStep } from "../things/footsteps.ts";
 import type { Gesture, Tool, ToolPointer } from "./tool.ts";
 
 /** Pixels that a click may wander. */
@@ -52,12 +53,15 @@ export const selectTool: Tool = {
   key: "V",
   order: 0,
   down(e, p) {
-    if (p.event.shiftKey) return boxSelect(e, p);
     const hit = e.layers.pick(p.x, p.y);
+    if (hit && p.event.shiftKey) {
+      e.scene.toggle(hit);
+      return { plain: true, move: () => undefined };
+    }
+    if (p.event.shiftKey) return boxSelect(e, p);
     if (hit) {
-      const gesture = e.registry.thing(hit.kind)?.grab?.(e, hit, p) ?? null;
       e.scene.select([hit]);
-      return gesture;
+      return e.registry.thing(hit.kind)?.grab?.(e, hit, p) ?? null;
     }
     // The camera turns; only a click that goes nowhere lets go of the selection.
     window.addEventListener(
@@ -72,6 +76,7 @@ export const selectTool: Tool = {
   },
   hover(e, p) {
     const hit = e.layers.pick(p.x, p.y);
-    e.hoverStep(hit?.kind === "step" ? hit.index : -1);
+    const { plan } = e.store.getState();
+    e.hoverStep(plan && hit?.kind === "step" ? indexOfStep(plan, hit) : -1);
   },
 };

@@ -8,7 +8,7 @@ import { styleMap } from "lit/directives/style-map.js";
 import type { Editor } from "../editor.ts";
 import { hasRef, type Ref, sameRef } from "../selection.ts";
 import type { Thing } from "../things/thing.ts";
-import type { Gesture } from "../tools/tool.ts";
+import type { Gesture, ToolPointer } from "../tools/tool.ts";
 
 interface Drag {
   kind: "move" | "turn";
@@ -30,7 +30,7 @@ const away: Record<string, [number, number]> = {
 };
 
 export class Markers {
-  private drag: Drag | null = null;
+  private dragging: Drag | null = null;
   private hovered: Ref | null = null;
 
   constructor(
@@ -43,13 +43,19 @@ export class Markers {
     const { selection } = this.e.store.getState();
     const shown = this.e.registry.things
       .filter((k) => k.handle !== "none" && k.shown?.(this.e) !== false)
-      .flatMap((k) => k.list(this.e).map((thing, index) => ({ thing, index, dot: k.handle === "dot" })));
+      .flatMap((k) => {
+        if (k.handle === "selected" && !selection.some((r) => r.kind === k.kind)) return [];
+        return k
+          .list(this.e)
+          .map((thing, index) => ({ thing, index, dot: k.handle !== "ball" }))
+          .filter((s) => k.handle !== "selected" || hasRef(selection, s.thing.ref));
+      });
     render(
       html`${repeat(
         shown,
         (s) => key(s.thing.ref),
         (s) => this.marker(s.thing, s.index, s.dot, hasRef(selection, s.thing.ref)),
-      )}${this.tip(shown.map((s) => s.thing))}`,
+      )}${this.ghost()}${this.tip(shown.map((s) => s.thing))}`,
       this.overlay,
     );
   }
@@ -58,8 +64,18 @@ export class Markers {
     return this.e.stage.project(t.position[0], Math.max(0.05, t.position[1]), t.position[2]);
   }
 
+  /** Where a drag began, and the way from there. */
+  private ghost(): TemplateResult | typeof nothing {
+    const d = this.dragging;
+    if (d?.kind !== "move" || d.text === "") return nothing;
+    const from = this.at(d.from);
+    const now = this.now(d.from.ref);
+    const to = now ? this.at(now) : from;
+    return html`<svg class="way" aria-hidden="true"><line x1=${from.x} y1=${from.y} x2=${to.x} y2=${to.y} /><circle cx=${from.x} cy=${from.y} r="11" /></svg>`;
+  }
+
   private tip(things: readonly Thing[]): TemplateResult | typeof nothing {
-    const r = this.drag?.from.ref ?? this.hovered;
+    const r = this.dragging?.from.ref ?? this.hovered;
     const t = r ? things.find((x) => sameRef(x.ref, r)) : undefined;
     if (!t) return nothing;
     const at = this.at(t);
@@ -67,8 +83,8 @@ export class Markers {
       transform: `translate(${Math.round(at.x + 26)}px, ${Math.round(at.y - 12)}px)`,
     });
     const hint = this.e.registry.thing(t.ref.kind)?.hint;
-    return this.drag
-      ? html`<div class="tip" style=${style}>${this.drag.text}<i>Esc undoes</i></div>`
+    return this.dragging
+      ? html`<div class="tip" style=${style}>${this.dragging.text}<i>Esc undoes</i></div>`
       : html`<div class="tip" style=${style}>${t.label}${hint ? `. ${hint}` : ""}${t.yaw !== null ? html`<i>R turns</i>` : nothing}</div>`;
   }
 
@@ -82,7 +98,7 @@ export class Markers {
       "marker",
       dot ? "dot" : "",
       selected ? "selected" : "",
-      this.drag && sameRef(this.drag.from.ref, t.ref) ? "dragging" : "",
+      this.dragging && sameRef(this.dragging.from.ref, t.ref) ? "dragging" : "",
     ].join(" ");
     // The tick stands on the side the character faces, as it is seen.
     const tick = (yaw: number): TemplateResult => {
@@ -122,7 +138,7 @@ export class Markers {
   }
 
   private begin(ev: PointerEvent, drawn: Thing, kind: Drag["kind"]): void {
-    if (ev.button !== 0 || this.drag || this.e.tools.busy) return;
+    if (ev.button !== 0 || this.dragging || this.e.tools.busy) return;
     ev.stopPropagation();
     ev.preventDefault();
     const from = this.now(drawn.ref);
@@ -135,25 +151,33 @@ export class Markers {
     const together = hasRef(selection, from.ref) && kind === "move";
     if (!together) this.e.scene.select([from.ref]);
     (ev.currentTarget as HTMLElement).closest("button")?.focus({ preventScroll: true });
-    const height = Math.max(0, from.position[1]);
-    const origin = this.e.tools.pointer(ev).level(height);
-    if (!origin) return;
-    const chosen = this.e.store.getState().selection;
+    const gesture = this.drag(from.ref, kind, this.e.tools.pointer(ev));
+    if (gesture) this.e.tools.run(gesture, ev);
+  }
+
+  /** A drag of a thing, with everything selected along; null when the pointer is over nothing. */
+  drag(r: Ref, kind: Drag["kind"], p: ToolPointer): Gesture | null {
+    const from = this.now(r);
+    const height = Math.max(0, from?.position[1] ?? 0);
+    const origin = p.level(height);
+    if (!from || !origin) return null;
+    const { selection } = this.e.store.getState();
+    const moving = hasRef(selection, r) ? selection : [r];
     const drag: Drag = {
       kind,
       from,
-      along: this.e.things().filter((t) => hasRef(chosen, t.ref)),
+      along: this.e.things().filter((t) => hasRef(moving, t.ref)),
       text: "",
     };
-    this.drag = drag;
-    this.e.tools.run(this.gesture(drag, origin, height), ev);
+    this.dragging = drag;
+    return this.gesture(drag, origin, height);
   }
 
   private gesture(d: Drag, origin: [number, number], height: number): Gesture {
     const { e } = this;
     const [x, , z] = d.from.position;
     const stop = (): undefined => {
-      this.drag = null;
+      this.dragging = null;
     };
     return {
       move: (p) => {
@@ -168,7 +192,8 @@ export class Markers {
         const to = e.snapped([x + point[0] - origin[0], z + point[1] - origin[1]], p.event);
         const dx = hold(to[0]) - x;
         const dz = hold(to[1]) - z;
-        d.text = `${Math.hypot(dx, dz).toFixed(2)} m`;
+        const facing = d.from.yaw === null ? "" : `, facing ${Math.round((d.from.yaw * 180) / Math.PI)}°`;
+        d.text = `${Math.hypot(dx, dz).toFixed(2)} m${facing}`.replace("-", "\u2212");
         e.edit((scene) => this.placed(scene, d.along, dx, dz, null));
       },
       up: stop,

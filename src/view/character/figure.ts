@@ -1,19 +1,12 @@
 /** The character in the scene: the mesh skinned to the skeleton's joints, posed from flat arrays. */
-import {
-  Bone,
-  BufferAttribute,
-  BufferGeometry,
-  Group,
-  MeshPhysicalMaterial,
-  SkinnedMesh,
-  Skeleton as ThreeSkeleton,
-} from "three";
+import { Bone, Group, MeshPhysicalMaterial, SkinnedMesh, Skeleton as ThreeSkeleton } from "three";
 import { JOINT_COUNT, JOINT_NAMES, PARENTS } from "../../core/skeleton/joints.ts";
 import type { Skeleton } from "../../core/skeleton/skeleton.ts";
 import { blob } from "../props.ts";
 import { ROOMS, SHOES, type Theme } from "../tokens.ts";
 import { PARTS } from "./body-shape.ts";
 import type { CharacterMesh } from "./build-mesh.ts";
+import { characterGeometry } from "./geometry.ts";
 
 export class Figure {
   readonly group = new Group();
@@ -23,15 +16,7 @@ export class Figure {
   private readonly blobs = [blob(0.3, 0.48, 0.5), blob(0.3, 0.48, 0.5), blob(0.85, 0.85, 0.2)];
 
   constructor(skeleton: Skeleton, data: CharacterMesh) {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(data.positions, 3));
-    geometry.setAttribute("normal", new BufferAttribute(data.normals, 3));
-    geometry.setAttribute("skinIndex", new BufferAttribute(data.skinIndices, 4));
-    geometry.setAttribute("skinWeight", new BufferAttribute(data.skinWeights, 4));
-    geometry.setIndex(new BufferAttribute(data.indices, 1));
-    data.groups.forEach(([start, count], i) => {
-      geometry.addGroup(start, count, i);
-    });
+    const geometry = characterGeometry(data);
     this.materials = PARTS.map(
       (part) =>
         new MeshPhysicalMaterial({

@@ -1,0 +1,72 @@
+/** The footstep chosen: what the plan made of it, and what the user asks of it. */
+import { html, nothing, type TemplateResult } from "lit";
+import { CATEGORY_COLOURS, CATEGORY_WORDS } from "../../view/tokens.ts";
+import type { Editor } from "../editor.ts";
+import { ICONS } from "../icons.ts";
+import { numberField } from "../parts/number-field.ts";
+import {
+  changeStep,
+  editOf,
+  footstepThings,
+  selectedSteps,
+  swapFeet,
+  togglePins,
+} from "../things/footsteps.ts";
+import type { PanelTab } from "./panel-tab.ts";
+
+const PHASE_WORDS = { exit: "Exit", locomotion: "Locomotion", enter: "Enter" } as const;
+const signed = (v: number, digits: number): string => v.toFixed(digits).replace("-", "\u2212");
+
+export const footstepTab: PanelTab = {
+  id: "footstep",
+  order: 20,
+  label: () => "Footstep",
+  shown: (e) => selectedSteps(e).length > 0,
+  draw(e) {
+    const list = selectedSteps(e);
+    return list.length === 1 ? one(e, list[0]) : several(e, list.length);
+  },
+};
+
+function several(e: Editor, count: number): TemplateResult {
+  return html`<section class="section">
+    <header><h2>${count} footsteps</h2></header>
+    <p class="note">Arrows move them together; Q swaps their feet.</p>
+    ${actions(e)}
+  </section>`;
+}
+
+function actions(e: Editor): TemplateResult {
+  const { scene, selection } = e.store.getState();
+  const touched = selectedSteps(e).some((s) => editOf(scene, s.ref));
+  return html`<div class="actions">
+    <button class="button" @click=${() => swapFeet(e)}>Swap the foot <span class="kbd">Q</span></button>
+    ${touched ? html`<button class="plain" @click=${() => e.edit((s) => footstepThings.remove(s, selection))}>Back to the plan</button>` : nothing}
+  </div>`;
+}
+
+function one(e: Editor, { ref: r, index, step }: ReturnType<typeof selectedSteps>[number]): TemplateResult {
+  const { scene, plan } = e.store.getState();
+  const edit = editOf(scene, r);
+  const place = (k: number) => (v: number) => {
+    const p: [number, number, number] = [step.x, step.y, step.z];
+    p[k] = v;
+    changeStep(e, r, { position: p, yaw: step.yaw });
+  };
+  const which = edit ? scene.edits.indexOf(edit) : -1;
+  const warning = plan?.warnings.find((w) => w.startsWith(`edits[${which}]`));
+  const own = edit ? "" : "from the plan";
+  return html`<section class="section">
+    <div class="subject"><span class="glyph" style="background: ${CATEGORY_COLOURS[step.category].fill}; color: ${CATEGORY_COLOURS[step.category].mark}">${ICONS.foot}</span><div><h2>${step.foot === "left" ? "Left foot" : "Right foot"}</h2><span class="note">${CATEGORY_WORDS[step.category]} · ${index + 1} of ${plan?.steps.length ?? 0} · ${step.lift.toFixed(2)} to ${step.land.toFixed(2)} s</span></div></div>
+    <div class="row"><span>Position</span><div class="fields">${numberField(e, "Position x", "x", signed(step.x, 2), "m", place(0))}${numberField(e, "Position z", "z", signed(step.z, 2), "m", place(2))}</div></div>
+    <div class="row"><span>Facing</span>${numberField(e, "Facing", "", signed((step.yaw * 180) / Math.PI, 1), "°", (v) => changeStep(e, r, { yaw: (v * Math.PI) / 180 }))}</div>
+    <div class="row"><span>In the air</span>${numberField(e, "Seconds in the air", "", (step.land - step.lift).toFixed(2), "s", (v) => changeStep(e, r, { lift: step.lift, land: step.lift + Math.max(0.1, v) }))}</div>
+    <div class="row"><span>Pinned</span><div class="segments">
+      <button aria-pressed=${!edit?.pinned} @click=${() => edit?.pinned && togglePins(e)}>No</button>
+      <button aria-pressed=${edit?.pinned ?? false} @click=${() => !edit?.pinned && togglePins(e)}>Yes</button>
+    </div></div>
+    <div class="row"><span>Phase</span><span>${PHASE_WORDS[step.phase]}<span class="from-plan">${own}</span></span></div>
+    ${warning ? html`<p class="error">${warning.replace(/^edits\[\d+\](\.\w+)?: /, "")}</p>` : nothing}
+    ${actions(e)}
+  </section>`;
+}
