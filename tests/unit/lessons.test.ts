@@ -4,6 +4,7 @@ import { lessonPage } from "../../src/cli/lesson-plugin.ts";
 import { formula } from "../../src/cli/math-markup.ts";
 import { FIGURES } from "../../src/lessons/figures/all.ts";
 import { STRATEGIES, StepFitter } from "../../src/lessons/figures/fit-problem.ts";
+import { searchSteps, walkOf } from "../../src/lessons/figures/pendulum-walk.ts";
 import { Parameters } from "../../src/lessons/kit/parameters.ts";
 import { LESSONS } from "../../src/lessons/list.ts";
 
@@ -71,6 +72,23 @@ test("the small problem: the objective falls, and with the goal's weight alone t
     expect(Math.hypot(last.x - alone.target.x, last.z - alone.target.z)).toBeLessThan(1e-3);
     expect(alone.after[0]).toEqual(alone.before[0]);
   }
+});
+
+test("the pendulum's figures: one action repeated walks straight on; a search goes round the pillar", () => {
+  const steps = walkOf({ turn: 0.25, speed: 1.2, duration: 0.5, count: 8 });
+  expect(steps.length).toBe(8);
+  for (const s of steps) expect(Math.abs(s.print.x)).toBeLessThan(0.3);
+  for (let i = 1; i < steps.length; i++) {
+    expect(steps[i].print.foot).not.toBe(steps[i - 1].print.foot);
+    // A step begins where the one before ended.
+    const [end, begin] = [steps[i - 1].way[16], steps[i].way[0]];
+    expect(Math.hypot(end[0] - begin[0], end[1] - begin[1])).toBeLessThan(1e-9);
+  }
+  const run = searchSteps({ goal: [-0.1, 3.6], pillar: [0.1, 1.7], speed: 1.3, most: 300 });
+  expect(run.found).toBe(true);
+  expect(run.path.length).toBeGreaterThan(3);
+  for (const s of run.path)
+    for (const [x, z] of s.way) expect(Math.hypot(x - 0.1, z - 1.7)).toBeGreaterThan(0.3 + 0.15);
 });
 
 describe("pages", () => {

@@ -94,7 +94,7 @@ function stateAt(
  */
 export function walkOf(a: WalkAction, gait: Gait = DEFAULT_GAIT): PendulumStep[] {
   // Where a step ends, the motion leans to the foot that comes next: so does the first one here.
-  let state = stateAt(0, 0, Math.sin(a.turn), Math.cos(a.turn), a.speed, -1, gait);
+  let state = stateAt(0, 0, -Math.sin(a.turn), Math.cos(a.turn), a.speed, -1, gait);
   const steps = new Float64Array(STEP);
   const out: PendulumStep[] = [];
   for (let k = 0; k < a.count; k++) {
