@@ -263,6 +263,29 @@ test("the embed page has no serious accessibility violation", async ({ page }) =
   ).toEqual([]);
 });
 
+for (const [name, path] of [
+  ["lessons", "/lessons/index.html"],
+  ["lesson-triangles", "/lessons/stepping-by-triangles.html"],
+  ["lesson-pendulum", "/lessons/the-pendulum-and-its-search.html"],
+  ["embed", `/embed.html?scene=${encodeURIComponent(SMALL)}`],
+])
+  test(`${name}: nothing is cut off at three sizes, light and dark`, async ({ page }) => {
+    await page.goto(path);
+    if (name === "embed") await solved(page, 1);
+    for (const colorScheme of ["light", "dark"] as const)
+      for (const [width, height] of [
+        [390, 844],
+        [1024, 768],
+        [1440, 900],
+      ]) {
+        await page.setViewportSize({ width, height });
+        await page.emulateMedia({ colorScheme });
+        const over = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+        expect(over, `${name} at ${width}`).toBeLessThanOrEqual(0);
+        await page.screenshot({ path: `artefacts/${name}-${width}-${colorScheme}.png` });
+      }
+  });
+
 /** What a minimal element loads before it asks for captures: the module, what that imports at once, and both workers. */
 function firstFiles(folder: string): Set<string> {
   const found = new Set<string>();
