@@ -17,6 +17,7 @@ import { toolRail } from "./parts/tool-rail.ts";
 import { topBar } from "./parts/top-bar.ts";
 import { CharacterSession } from "./session/character-session.ts";
 import { Files } from "./session/files.ts";
+import { GuestSession } from "./session/guest-session.ts";
 import { LongWork } from "./session/long-work.ts";
 import { PlanSession } from "./session/plan-session.ts";
 import { Playback } from "./session/playback.ts";
@@ -50,6 +51,7 @@ export class Editor {
   readonly playback: Playback;
   readonly character: CharacterSession;
   readonly files: Files;
+  readonly guest: GuestSession;
   readonly work: LongWork;
   readonly layers: LayerHost;
   readonly tools: ToolHost;
@@ -78,6 +80,7 @@ export class Editor {
     this.plan = new PlanSession(this);
     this.character = new CharacterSession(this);
     this.files = new Files(this);
+    this.guest = new GuestSession(this);
     this.work = new LongWork(this);
     this.store.subscribe(() => this.redraw());
     document.documentElement.dataset.theme = theme;

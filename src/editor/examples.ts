@@ -1,7 +1,9 @@
 /** The example scenes of the Scenes menu. */
+import aLecture from "../../assets/scenes/a-lecture.json";
 import alongTheBoard from "../../assets/scenes/along-the-board.json";
 import movingBoxes from "../../assets/scenes/moving-boxes.json";
 import roundTheTable from "../../assets/scenes/round-the-table.json";
+import twoBoxesAway from "../../assets/scenes/two-boxes-away.json";
 import { defaultScene } from "../core/scene/default-scene.ts";
 import { parseScene } from "../core/scene/schema.ts";
 import type { Scene } from "../core/scene/types.ts";
@@ -19,4 +21,6 @@ export const EXAMPLES: readonly Example[] = [
   { name: "Along the board", scene: () => parseScene(alongTheBoard) },
   { name: "Moving boxes", scene: () => parseScene(movingBoxes) },
   { name: "Round the table", scene: () => parseScene(roundTheTable) },
+  { name: "A lecture", scene: () => parseScene(aLecture) },
+  { name: "Two boxes away", scene: () => parseScene(twoBoxesAway) },
 ];

@@ -19,6 +19,7 @@ export const ICONS = {
   camera: icon(
     svg`<rect x="2.500" y="5" width="13" height="9.500" rx="2" /><circle cx="9" cy="9.700" r="2.600" /><path d="M6.500 5l1-2h3l1 2" />`,
   ),
+  prop: icon(svg`<path d="M2.500 6h13M4 6v9M14 6v9" />`),
   foot: icon(
     svg`<path d="M6.500 9.500C5 5 6.500 2 9 2s4 3 2.800 7.500zM6.800 11.500h5c.300 2.500-.500 4.500-2.500 4.500s-2.800-2-2.500-4.500z" />`,
   ),

@@ -40,6 +40,8 @@ export function pageKey(e: Editor, ev: KeyboardEvent): void {
   const pressed = chord(ev);
   // A control that has the focus keeps its space bar; handles over the stage do not need it.
   if (pressed === "Space" && target.closest("button:not(.marker), [role=button], [role=slider]")) return;
+  // Menus have keys of their own.
+  if (pressed !== "Escape" && target.closest(".menu")) return;
   if (e.tools.current.keydown?.(e, ev)) {
     ev.preventDefault();
     return;

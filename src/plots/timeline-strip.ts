@@ -45,7 +45,7 @@ export function tasksSvg(tasks: readonly TaskBar[], x: TimeScale): string {
   const out = [`<text x="0" y="16">Tasks</text>`];
   tasks.forEach((t, i) => {
     const a = x(t.contact);
-    const w = Math.max(10, x(t.end) - a);
+    const w = Math.max(24, x(t.end) - a);
     const next = tasks[i + 1];
     const ink = t.selected ? "var(--on)" : "var(--ink)";
     if (next && x(next.contact) - (a + w) > 18) {

@@ -5,12 +5,15 @@
  */
 import {
   BufferGeometry,
+  CircleGeometry,
   Float32BufferAttribute,
   Group,
   Line,
   LineBasicMaterial,
   LineDashedMaterial,
   LineLoop,
+  Mesh,
+  MeshBasicMaterial,
   NeutralToneMapping,
   type Object3D,
   PerspectiveCamera,
@@ -28,6 +31,7 @@ import type { Scene } from "../core/scene/types.ts";
 import type { Skeleton } from "../core/skeleton/skeleton.ts";
 import type { CharacterMesh } from "./character/build-mesh.ts";
 import { Figure } from "./character/figure.ts";
+import type { Guest } from "./character/guest.ts";
 import { type Footprint, FootprintLayer, type FootprintMode } from "./footprints.ts";
 import { FrameBudget } from "./frame-budget.ts";
 import { PathLines } from "./path-lines.ts";
@@ -52,6 +56,7 @@ export class Stage {
   private readonly paths = new PathLines();
   private readonly footprints = new FootprintLayer();
   private figure: Figure | null = null;
+  private guest: Guest | null = null;
   private readonly props = new Group();
   private readonly taskMarks = new Group();
   private readonly boxes = new Map<string, Object3D>();
@@ -120,7 +125,9 @@ export class Stage {
         )
       )
         continue;
-      this.props.add(createProp(p));
+      const prop = createProp(p);
+      prop.userData.id = p.id;
+      this.props.add(prop);
     }
     for (const [id, o] of this.boxes) {
       if (!lifted.some((t) => t.id === id)) {
@@ -166,6 +173,15 @@ export class Stage {
         new LineBasicMaterial({ color: ink, transparent: true, opacity: selected.includes(t.id) ? 1 : 0.45 }),
       );
       ring.position.set(t.position[0], 0.006, t.position[2]);
+      if (selected.includes(t.id)) {
+        const disc = new Mesh(
+          new CircleGeometry(0.3, 48).rotateX(-Math.PI / 2),
+          new MeshBasicMaterial({ color: ink, transparent: true, opacity: 0.1, depthWrite: false }),
+        );
+        disc.position.set(t.position[0], 0.003, t.position[2]);
+        disc.renderOrder = 1;
+        this.taskMarks.add(disc);
+      }
       this.taskMarks.add(stem, ring);
     }
     this.invalidate();
@@ -178,7 +194,17 @@ export class Stage {
     }
     this.figure = new Figure(skeleton, mesh);
     this.figure.setTheme(this.theme);
+    this.figure.group.visible = this.guest === null;
     this.scene.add(this.figure.group);
+    this.invalidate();
+  }
+
+  /** A character from a file instead of our own; null for our own again. */
+  setGuest(guest: Guest | null): void {
+    if (this.guest) this.scene.remove(this.guest.group);
+    this.guest = guest;
+    if (guest) this.scene.add(guest.group);
+    if (this.figure) this.figure.group.visible = guest === null;
     this.invalidate();
   }
 
@@ -188,6 +214,7 @@ export class Stage {
 
   setPose(root: ArrayLike<number>, r: number, rotations: ArrayLike<number>, o: number): void {
     this.figure?.setPose(root, r, rotations, o);
+    this.guest?.setPose(root, r, rotations, o);
     this.invalidate();
   }
 
@@ -271,6 +298,13 @@ export class Stage {
   levelPoint(x: number, y: number, height: number): [number, number] | null {
     const hit = this.ray(x, y).ray.intersectPlane(new Plane(new Vector3(0, 1, 0), -height), new Vector3());
     return hit && hit.distanceTo(this.camera.position) < 40 ? [hit.x, hit.z] : null;
+  }
+
+  /** Id of the furniture that a ray meets first; null for none. */
+  propOn(ray: Raycaster): string | null {
+    let o: Object3D | null = ray.intersectObjects(this.props.children, true)[0]?.object ?? null;
+    while (o && typeof o.userData.id !== "string") o = o.parent;
+    return o ? (o.userData.id as string) : null;
   }
 
   /** Index of the footprint that a ray meets first; -1 for none. */

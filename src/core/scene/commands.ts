@@ -153,6 +153,11 @@ export function setCharacter(scene: Scene, height: number, leg: number): Scene {
   };
 }
 
+/** The character's file by name; null for the plain one. */
+export function setModel(scene: Scene, model: string | null): Scene {
+  return { ...scene, character: { ...scene.character, model } };
+}
+
 /** Adds a path of two points at least, last in the order. */
 export function addPath(
   scene: Scene,
@@ -216,4 +221,18 @@ export function releaseFootsteps(
 ): Scene {
   const edits = scene.edits.filter((e) => !steps.some((s) => s.task === e.task && s.step === e.step));
   return edits.length === scene.edits.length ? scene : { ...scene, edits };
+}
+
+/** Furniture changed in place: where it stands, which way, how large. */
+export function changeProp(
+  scene: Scene,
+  id: string,
+  change: Partial<Pick<SceneProp, "position" | "yaw" | "size">>,
+): Scene {
+  return { ...scene, props: scene.props.map((p) => (p.id === id ? { ...p, ...change } : p)) };
+}
+
+/** Furniture taken away. */
+export function removeProps(scene: Scene, ids: readonly string[]): Scene {
+  return { ...scene, props: scene.props.filter((p) => !ids.includes(p.id)) };
 }

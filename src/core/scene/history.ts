@@ -38,6 +38,11 @@ export class History {
     const from = this.mark;
     this.mark = null;
     if (from === null || from === this.present) return false;
+    if (JSON.stringify(from) === JSON.stringify(this.present)) {
+      // A drag there and back is no entry.
+      this.present = from;
+      return false;
+    }
     this.push(from);
     return true;
   }

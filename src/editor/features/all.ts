@@ -1,8 +1,10 @@
 /** Every feature of the editor, a line each. */
 import { basics } from "./basics.ts";
+import { characters } from "./characters.ts";
 import type { Feature } from "./feature.ts";
 import { footsteps } from "./footsteps.ts";
+import { furniture } from "./furniture.ts";
 import { paths } from "./paths.ts";
 import { tasks } from "./tasks.ts";
 
-export const ALL_FEATURES: readonly Feature[] = [basics, tasks, footsteps, paths];
+export const ALL_FEATURES: readonly Feature[] = [basics, furniture, tasks, footsteps, paths, characters];

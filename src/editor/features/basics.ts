@@ -9,6 +9,7 @@ import type { KeyBinding } from "../keys.ts";
 import { characterLayer } from "../layers/character.ts";
 import type { MenuEntry } from "../menus.ts";
 import { sceneTab } from "../panels/scene.ts";
+import { useClipboard } from "../session/clipboard.ts";
 import { selectTool } from "../tools/select.ts";
 import type { Feature } from "./feature.ts";
 
@@ -56,6 +57,7 @@ const keys: readonly KeyBinding[] = [
   },
   { keys: [], shown: "Tab, Shift Tab", label: "Next, previous", group: "Selected" },
   { keys: [], shown: "Shift click, Shift drag", label: "Add to the selection", group: "Selected" },
+  { keys: [], shown: "Ctrl C, Ctrl X, Ctrl V", label: "Copy, cut, paste", group: "Selected" },
   { keys: ["Ctrl+D"], label: "Duplicate", group: "Selected", when: some, run: (e) => e.scene.duplicate() },
   {
     keys: ["Delete", "Backspace"],
@@ -114,5 +116,8 @@ export const basics: Feature = {
   exports: [sceneExport, pictureExport, videoExport],
   keys,
   menu,
-  start: (e) => void e.files.openLink(),
+  start(e) {
+    useClipboard(e);
+    void e.files.openLink();
+  },
 };

@@ -1,6 +1,8 @@
 /** The scene: every thing in it as a list, and the character's build. */
 import { html, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../editor.ts";
+import { openSceneMenu } from "../parts/scene-menu.ts";
+import { sole } from "../parts/sole.ts";
 import { hasRef } from "../selection.ts";
 import type { ThingKind } from "../things/thing.ts";
 import type { PanelTab } from "./panel-tab.ts";
@@ -20,7 +22,7 @@ export const sceneTab: PanelTab = {
 function things(e: Editor, kind: ThingKind): TemplateResult | typeof nothing {
   const { selection } = e.store.getState();
   const list = kind.list(e);
-  if (list.length === 0 && kind.kind !== "task") return nothing;
+  if (list.length === 0) return kind.kind === "task" && nothingToDo(e) ? emptyState(e) : nothing;
   return html`<section class="section">
     <header><h3>${kind.title}</h3><span>${list.length}</span></header>
     <div class="list">
@@ -29,7 +31,24 @@ function things(e: Editor, kind: ThingKind): TemplateResult | typeof nothing {
           html`<button aria-current=${hasRef(selection, t.ref)} @click=${(ev: MouseEvent) => (ev.shiftKey ? e.scene.toggle(t.ref) : e.scene.select([t.ref]))}>${t.icon} ${i + 1}. ${t.label} <span class="quiet">${t.fact ?? ""}</span></button>`,
       )}
     </div>
-    ${list.length === 0 ? html`<p class="note">Nothing to do yet. Pick a task at the left and click on the floor.</p>` : nothing}
+  </section>`;
+}
+
+function nothingToDo(e: Editor): boolean {
+  const { scene } = e.store.getState();
+  return scene.order.length === 0 && scene.crowd === null;
+}
+
+/** A room with nothing to do: what it is, and what to press. */
+function emptyState(e: Editor): TemplateResult {
+  return html`<section class="section empty">
+    <div class="prints">${sole("Walk", "left")}${sole("Walk")}${sole("TurnAndStep")}</div>
+    <h2>No tasks in this scene</h2>
+    <p class="note">Take a task at the left and click the floor where it is to be done.</p>
+    <div class="actions">
+      <button class="button primary" @click=${() => e.tools.use("task")}>Add a task</button>
+      <button class="button" @click=${() => void openSceneMenu(e)}>Open an example</button>
+    </div>
   </section>`;
 }
 

@@ -14,7 +14,7 @@ export function toolRail(e: Editor): TemplateResult {
       (t) =>
         html`<button aria-label=${t.label} data-tip="${t.label}  ${t.key}" aria-pressed=${t === current} class=${t.order >= 50 ? "wide" : ""} @click=${() => e.tools.use(t === current ? "select" : t.id)}>${t.icon}<span class="word">${t.label}</span></button>`,
     )}
-    <button class="narrow" aria-label="More" aria-haspopup="menu" aria-expanded=${s.menu === "more"} @click=${() => e.setMenu("more")}>${ICONS.more}<span class="word">More</span></button>
+    <button class="narrow" aria-label="More" aria-haspopup="dialog" aria-expanded=${s.menu === "more"} @click=${() => e.setMenu("more")}>${ICONS.more}<span class="word">More</span></button>
     <hr />
     <button class="wide" aria-label="Snap to 5 cm and 15°" data-tip="Snap to 5 cm and 15°  X" aria-pressed=${s.snap} @click=${() => e.set({ snap: !s.snap })}>${ICONS.snap}<span class="word">Snap</span></button>
   </div>
@@ -32,11 +32,11 @@ export function toolRail(e: Editor): TemplateResult {
 function more(e: Editor): TemplateResult {
   const s = e.store.getState();
   const act = (label: string, run: () => void): TemplateResult =>
-    html`<button role="menuitem" @click=${() => {
+    html`<button @click=${() => {
       e.set({ menu: null });
       run();
     }}>${label}</button>`;
-  return html`<div class="menu more" role="menu" aria-label="More">
+  return html`<div class="menu more" role="dialog" aria-label="More">
     <div class="legend-rows">${legendRows(e)}</div>
     <hr />
     ${e.tools.all.filter((t) => t.order >= 50).map((t) => act(t.label, () => e.tools.use(t.id)))}

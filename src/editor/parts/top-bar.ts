@@ -27,10 +27,10 @@ export function topBar(e: Editor): TemplateResult {
     <button class="icon wide" aria-label=${light ? "Dark theme" : "Light theme"} title=${light ? "Dark theme" : "Light theme"} @click=${() => e.toggleTheme()}>${light ? ICONS.light : ICONS.dark}</button>
     <button class="icon wide" aria-label="Keys and help" title="Keys and help (?)" @click=${() => e.set({ help: true })}>${ICONS.help}</button>
     <span class="separator"></span>
-    <button class="button wide" aria-haspopup="menu" aria-expanded=${s.menu === "export"} @click=${() => e.setMenu("export")}>Export</button>
+    <button class="button wide" aria-haspopup="dialog" aria-expanded=${s.menu === "export"} @click=${() => e.setMenu("export")}>Export</button>
     ${
       s.menu === "export"
-        ? html`<div class="menu export" role="menu">${exportSwitches(e)}${menuRows(e.registry.exports, (f) => void e.files.save(f))}</div>`
+        ? html`<div class="menu export" role="dialog" aria-label="Export">${exportSwitches(e)}${menuRows(e.registry.exports, (f) => void e.files.save(f))}</div>`
         : nothing
     }
     <button class="button primary" @click=${() => void e.files.share()}>${ICONS.share}Share</button>

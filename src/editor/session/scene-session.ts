@@ -5,10 +5,12 @@ import { parseScene } from "../../core/scene/schema.ts";
 import type { Scene } from "../../core/scene/types.ts";
 import type { Editor } from "../editor.ts";
 import { hasRef, type Ref, sameRef } from "../selection.ts";
-import { saveScene } from "./storage.ts";
+import { keepVersion, saveScene } from "./storage.ts";
 
 /** Milliseconds without a change before the scene is kept. */
 const SAVE_AFTER = 500;
+
+const same = (a: Scene, b: Scene): boolean => JSON.stringify(a) === JSON.stringify(b);
 
 export class SceneSession {
   private readonly history: History;
@@ -38,7 +40,8 @@ export class SceneSession {
   /** One change of the scene by a command; planned at once. What the schema refuses is not done, and said. */
   edit(change: (scene: Scene, c: typeof commands) => Scene): boolean {
     const scene = change(this.history.scene, commands);
-    if (scene === this.history.scene) return false;
+    // What comes to the same is no entry: undo always does something.
+    if (scene === this.history.scene || same(scene, this.history.scene)) return false;
     try {
       parseScene(scene);
     } catch (error) {
@@ -111,6 +114,9 @@ export class SceneSession {
 
   /** Another scene, as one entry of the history: undo brings the one before back. `name` is what it is called. */
   replace(scene: Scene, name: string): void {
+    const { name: before } = this.e.store.getState();
+    // Undo brings it back while the page is open; a version does after that.
+    if (this.history.canUndo) void keepVersion(`${before}, before ${name}`, this.history.scene, Date.now());
     this.history.apply(scene);
     this.e.set({ selection: [], tab: "scene", menu: null, time: 0, name });
     this.e.plan.startOver();

@@ -140,3 +140,21 @@ export async function dropVersion(key: string): Promise<void> {
     console.warn("A version could not be removed:", error);
   }
 }
+
+const MODEL = "model ";
+
+/** Keeps a character's file under its name. @returns false where storage is closed or full. */
+export function keepModel(name: string, bytes: ArrayBuffer): Promise<boolean> {
+  return keep(bytes, MODEL + name);
+}
+
+/** A character's file kept before; null when there is none. */
+export async function loadModel(name: string): Promise<ArrayBuffer | null> {
+  try {
+    const bytes: unknown = await use((db) => db.get(STORE, MODEL + name));
+    return bytes instanceof ArrayBuffer ? bytes : null;
+  } catch (error) {
+    console.warn("A character could not be read:", error);
+    return null;
+  }
+}

@@ -51,6 +51,8 @@ export interface ThingKind {
   tab?: string;
   /** Words beside the pointer while it hovers. */
   hint?: string;
+  /** A drag moves it only once it is selected; before that the camera turns, and a click selects. For large things. */
+  clickFirst?: boolean;
   /** For things picked in the stage: a drag that begins on one. */
   grab?(e: Editor, r: Ref, p: ToolPointer): Gesture | null;
   /** A key while it is selected and its handle has the focus. @returns whether it was used. */

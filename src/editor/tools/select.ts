@@ -59,16 +59,18 @@ export const selectTool: Tool = {
       return { plain: true, move: () => undefined };
     }
     if (p.event.shiftKey) return boxSelect(e, p);
-    if (hit) {
-      e.scene.select([hit]);
-      return e.registry.thing(hit.kind)?.grab?.(e, hit, p) ?? null;
+    const kind = hit ? e.registry.thing(hit.kind) : undefined;
+    const { selection } = e.store.getState();
+    if (hit && (!kind?.clickFirst || hasRef(selection, hit))) {
+      if (!hasRef(selection, hit)) e.scene.select([hit]);
+      return kind?.grab?.(e, hit, p) ?? null;
     }
-    // The camera turns; only a click that goes nowhere lets go of the selection.
+    // The camera turns; only a click that goes nowhere selects, or lets go of the selection.
     window.addEventListener(
       "pointerup",
       (up) => {
-        if (Math.hypot(up.clientX - p.event.clientX, up.clientY - p.event.clientY) < CLICK)
-          e.scene.select([]);
+        const gone = Math.hypot(up.clientX - p.event.clientX, up.clientY - p.event.clientY);
+        if (gone < CLICK) e.scene.select(hit ? [hit] : []);
       },
       { once: true },
     );

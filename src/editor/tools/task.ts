@@ -34,13 +34,16 @@ export const taskTool: Tool = {
         const task = scene.tasks.find((t) => t.id === id);
         return task ? c.placeTask(scene, task.id, [to[0], task.position[1], to[1]], task.yaw) : scene;
       });
-    put(e.snapped(at));
+    let last = e.snapped(at);
     return {
       move(m) {
         const to = m.level(0);
-        if (to) put(e.snapped(to, m.event));
+        if (!to) return;
+        last = e.snapped(to, m.event);
+        put(last);
       },
       up() {
+        put(last);
         if (id !== null) e.scene.select([ref("task", id)]);
         e.tools.use("select");
         return undefined;

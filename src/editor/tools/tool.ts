@@ -51,7 +51,11 @@ export interface Tool {
   cursor?: string;
   enter?(e: Editor): void;
   leave?(e: Editor): void;
-  /** Pointer down on the canvas. @returns a gesture when the tool takes it; null leaves it to the camera. */
+  /**
+   * Pointer down on the canvas. Edits belong to the gesture: what is edited here lies before its mark.
+   *
+   * @returns a gesture when the tool takes it; null leaves it to the camera.
+   */
   down?(e: Editor, p: ToolPointer): Gesture | null;
   /** Pointer moves with no button down. */
   hover?(e: Editor, p: ToolPointer): void;

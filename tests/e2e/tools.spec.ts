@@ -1,0 +1,182 @@
+/** Editing as a whole in a real browser: footsteps, links, files of every kind, and everything by keyboard. */
+import { readFile } from "node:fs/promises";
+import AxeBuilder from "@axe-core/playwright";
+import { expect, type Page, test } from "@playwright/test";
+
+const finishedNewest = async (page: Page): Promise<void> => {
+  await page.waitForFunction(
+    () => {
+      const log = window.stepwright?.log() ?? [];
+      const asked = Math.max(0, ...log.filter((e) => e.what === "asked").map((e) => e.id));
+      return asked > 0 && log.some((e) => e.what === "finished" && e.id === asked);
+    },
+    null,
+    { timeout: 120_000 },
+  );
+};
+
+async function open(page: Page, address = "/"): Promise<void> {
+  // The character does not start by itself: pictures come quickly on slow machines.
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.goto(address);
+  await finishedNewest(page);
+}
+
+test("a footstep is selected and moved by keyboard, the plan answers; a link carries it all", async ({
+  page,
+  context,
+}) => {
+  await open(page);
+  for (let k = 0; k < 4; k++) await page.keyboard.press("]");
+  const before = await page.evaluate(() => {
+    const s = window.stepwright!.state();
+    return { selection: s.selection, steps: s.plan!.steps.map((p) => [p.x, p.z]) };
+  });
+  expect(before.selection).toHaveLength(1);
+  expect(before.selection[0].kind).toBe("step");
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForFunction(() => window.stepwright!.state().scene.edits.length === 1);
+  await finishedNewest(page);
+  const edit = await page.evaluate(() => window.stepwright!.state().scene.edits[0]);
+  const near = await page.evaluate(
+    ([x, z]) => Math.min(...window.stepwright!.state().plan!.steps.map((p) => Math.hypot(p.x - x, p.z - z))),
+    [edit.position![0], edit.position![2]] as const,
+  );
+  expect(near).toBeLessThan(1e-6);
+  await expect(page.getByRole("tab", { name: "Footstep" })).toBeVisible();
+
+  // The link opens the same scene in a window that has never seen it.
+  await page.getByRole("button", { name: "Share" }).click();
+  await page.waitForFunction(() => location.hash.startsWith("#s="));
+  const scene = await page.evaluate(() => window.stepwright!.state().scene);
+  const address = page.url();
+  const other = await context.browser()!.newContext({ reducedMotion: "reduce" });
+  const fresh = await other.newPage();
+  await fresh.goto(address);
+  await fresh.waitForFunction(() => window.stepwright?.state().scene.edits.length === 1, null, {
+    timeout: 60_000,
+  });
+  expect(await fresh.evaluate(() => window.stepwright!.state().scene)).toEqual(scene);
+  await fresh.goto("about:blank");
+  await other.close();
+
+  // Undo gives the footstep back.
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await page.waitForFunction(() => window.stepwright!.state().scene.edits.length === 0);
+});
+
+test("exports are files that hold what they say; a scene and a character are dropped; damaged ones are named", async ({
+  page,
+}) => {
+  await open(page);
+  const save = async (label: string | RegExp) => {
+    await page.getByRole("button", { name: "Export" }).click();
+    const [file] = await Promise.all([
+      page.waitForEvent("download", { timeout: 60_000 }),
+      page.getByRole("menuitem", { name: label }).click(),
+    ]);
+    return { name: file.suggestedFilename(), data: await readFile(await file.path()) };
+  };
+  const bvh = await save("Motion (BVH)");
+  expect(bvh.name).toBe("two-tables.bvh");
+  expect(bvh.data.toString().startsWith("HIERARCHY")).toBe(true);
+  const footsteps = await save("Footsteps (CSV)");
+  const planned = await page.evaluate(() => window.stepwright!.state().plan!.steps.length);
+  expect(footsteps.data.toString().trim().split("\n")).toHaveLength(planned + 3);
+  const glb = await save("Character with motion (GLB)");
+  expect(glb.data.subarray(0, 4).toString()).toBe("glTF");
+  const picture = await save("Picture of the room (PNG)");
+  expect(picture.data.subarray(1, 4).toString()).toBe("PNG");
+  const scene = await save(/^Scene \(JSON\)/);
+
+  const drop = (name: string, bytes: Buffer) =>
+    page.evaluate(
+      ([n, b]) => {
+        const data = new DataTransfer();
+        data.items.add(new File([Uint8Array.from(atob(b), (c) => c.charCodeAt(0))], n));
+        window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
+      },
+      [name, bytes.toString("base64")] as const,
+    );
+  const moved = JSON.parse(scene.data.toString()) as { tasks: { id: string }[] };
+  moved.tasks.splice(2);
+  await drop("two.json", Buffer.from(JSON.stringify({ version: 1, tasks: moved.tasks })));
+  await page.waitForFunction(() => window.stepwright!.state().scene.tasks.length === 2);
+  await drop("me.glb", glb.data);
+  await page.waitForFunction(() => window.stepwright!.state().scene.character.model === "me.glb", null, {
+    timeout: 60_000,
+  });
+  await expect(page.getByText("joints found")).toBeVisible();
+  await drop("broken.glb", Buffer.from("no"));
+  await expect(page.getByText(/broken\.glb: no glTF character/).first()).toBeVisible();
+  await drop("notes.docx", Buffer.from("no"));
+  await expect(page.getByText(/notes\.docx: files of this kind are not read/).first()).toBeVisible();
+});
+
+test("every control is reached by keyboard, in order, with a name; the sheet lists the keys", async ({
+  page,
+}) => {
+  await open(page);
+  const seen: string[] = [];
+  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+  for (let k = 0; k < 90; k++) {
+    await page.keyboard.press("Tab");
+    const name = await page.evaluate(() => {
+      const e = document.activeElement;
+      if (!e || e === document.body) return null;
+      return `${e.tagName} ${e.getAttribute("aria-label") ?? e.textContent?.trim() ?? ""}`;
+    });
+    if (name === null) break;
+    seen.push(name);
+  }
+  for (const s of seen)
+    expect(s.split(" ").slice(1).join("").length, `a control without a name: ${s}`).toBeGreaterThan(0);
+  const all = seen.join("\n");
+  for (const wanted of [
+    "Export",
+    "Share",
+    "Select",
+    "Task",
+    "Path",
+    "Play",
+    "Loop",
+    "Size of the panel",
+    "Size of the timeline",
+    "Task 1: Write",
+    "Height",
+  ])
+    expect(all).toContain(wanted);
+  await page.keyboard.press("?");
+  await page.getByRole("searchbox").fill("swap");
+  await expect(page.getByText("Swap the foot")).toBeVisible();
+  await expect(page.getByText("Duplicate")).toHaveCount(0);
+});
+
+test("on a phone: nothing overlaps the tool bar, the sheet has three heights, no serious violation", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page);
+  const rail = (await page.getByRole("toolbar", { name: "Tools" }).boundingBox())!;
+  expect(rail.y + rail.height).toBeCloseTo(844, 0);
+  const timeline = (await page.locator(".timeline").boundingBox())!;
+  expect(timeline.y + timeline.height).toBeLessThanOrEqual(rail.y + 1);
+  for (const name of ["Select", "Task", "Path", "More"])
+    expect(
+      (await page.getByRole("button", { name, exact: true }).boundingBox())!.height,
+    ).toBeGreaterThanOrEqual(44);
+  const handle = page.getByRole("button", { name: /^Sheet/ });
+  await handle.press("ArrowUp");
+  await expect(page.locator("#app")).toHaveAttribute("data-sheet", "full");
+  await handle.press("Enter");
+  await expect(page.locator("#app")).toHaveAttribute("data-sheet", "peek");
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(
+    violations
+      .filter((v) => v.impact === "serious" || v.impact === "critical")
+      .map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(" ")).join(", ")}`),
+  ).toEqual([]);
+});
