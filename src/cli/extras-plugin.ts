@@ -63,7 +63,8 @@ async function buildOffline(outDir: string): Promise<void> {
       },
     },
   });
-  for (const worker of ["planner-worker.js", "mesh-worker.js"]) rmSync(join(outDir, worker), { force: true });
+  for (const worker of ["planner-worker.js", "mesh-worker.js", "landing-worker.js"])
+    rmSync(join(outDir, worker), { force: true });
   const text = readFileSync(LIBRARY).toString("base64");
   writeFileSync(join(outDir, "library.js"), `globalThis.stepwrightLibrary = "${text}";\n`);
 }
