@@ -14,6 +14,7 @@ function start(): void {
   const query = new URLSearchParams(location.search);
   configure({
     library: new URL("generated/library.bin", location.href).href,
+    libraryScript: new URL("offline/library.js", location.href).href,
     editor: new URL("./", location.href).href,
   });
   defineElement();

@@ -5,15 +5,17 @@
  */
 
 export interface Resources {
-  /** Address of the captures, `library.bin`; `library.js` beside it holds the same for pages that may not fetch. */
+  /** Address of the captures, `library.bin`. */
   library: string;
+  /** Address of a script that holds the same, for pages that may not fetch; null for `library.js` beside the captures. */
+  libraryScript: string | null;
   /** Folder with `planner-worker.js` and `mesh-worker.js` on the page's own origin; null leaves them beside this module. */
   workers: string | null;
   /** Address of the editor that "Open" leads to; null hides the button. */
   editor: string | null;
 }
 
-const resources: Resources = { library: "", workers: null, editor: null };
+const resources: Resources = { library: "", libraryScript: null, workers: null, editor: null };
 
 /** Sets where things are. Addresses are taken from the document's. */
 export function configure(change: Partial<Resources>): void {
@@ -68,6 +70,7 @@ function fromBase64(text: string): Uint8Array {
  * @throws Error that names the address.
  */
 export async function libraryBytes(address: string): Promise<Uint8Array> {
+  const script = resources.libraryScript ?? address.replace(/\.bin(?=$|[?#])/, ".js");
   try {
     const answer = await fetch(address);
     if (answer.ok) return new Uint8Array(await answer.arrayBuffer());
@@ -75,7 +78,7 @@ export async function libraryBytes(address: string): Promise<Uint8Array> {
     // A refused fetch is a TypeError; anything else is a fault of ours.
     if (!(error instanceof TypeError)) throw error;
   }
-  if (globalThis.stepwrightLibrary === undefined) await addScript(address.replace(/\.bin(?=$|[?#])/, ".js"));
+  if (globalThis.stepwrightLibrary === undefined) await addScript(script);
   if (globalThis.stepwrightLibrary === undefined)
     throw new Error(`${address}: the captures could not be loaded.`);
   return fromBase64(globalThis.stepwrightLibrary);

@@ -101,6 +101,7 @@ function fillScenes(): void {
 function start(): void {
   configure({
     library: new URL("../generated/library.bin", location.href).href,
+    libraryScript: new URL("../offline/library.js", location.href).href,
     editor: new URL("../", location.href).href,
   });
   const query = new URLSearchParams(location.search);

@@ -54,23 +54,18 @@ test("two elements and a frame under a strict policy: one worker, messages there
 }) => {
   const policy = `default-src 'none'; script-src 'self'; connect-src 'self'; worker-src 'self'; style-src 'self'; frame-src ${host.origin}`;
   // The elements' files lie on the page's own origin, the frame comes from another.
-  const mine = await serve(BUILT, "/s/", {
-    "/page.html": {
-      policy,
-      html: `<!doctype html><title>A course</title><script type="module" src="/s/embed/stepwright-element.js"></script>
-        <stepwright-scene id="one" controls></stepwright-scene><stepwright-scene id="two" controls panels="steps objective"></stepwright-scene>
-        <iframe title="A scene" src="${host.origin}/course/walks/embed.html?origin=PARENT"></iframe>`,
-    },
-  });
+  const pages: Record<string, { html: string; policy: string }> = {};
+  const mine = await serve(BUILT, "/s/", pages);
+  pages["/page.html"] = {
+    policy,
+    html: `<!doctype html><title>A course</title><script type="module" src="/s/embed/stepwright-element.js"></script>
+      <stepwright-scene id="one" controls></stepwright-scene><stepwright-scene id="two" controls panels="steps objective"></stepwright-scene>
+      <iframe title="A scene" src="${host.origin}/course/walks/embed.html?origin=${encodeURIComponent(mine.origin)}"></iframe>`,
+  };
   try {
     const broken = await watch(page);
     const workers: string[] = [];
     page.on("worker", (w) => workers.push(w.url()));
-    await page.route("**/page.html", async (route) => {
-      const answer = await route.fetch();
-      const body = (await answer.text()).replace("PARENT", encodeURIComponent(mine.origin));
-      await route.fulfill({ response: answer, body });
-    });
     await page.goto(`${mine.origin}/page.html`);
     await page.evaluate((scene) => {
       for (const e of document.querySelectorAll("stepwright-scene")) e.setAttribute("scene", scene);
