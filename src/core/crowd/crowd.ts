@@ -29,7 +29,7 @@ const DEARER = 0.1;
 const TICK_NODES = 1200;
 const TICK_NODES_EACH = 7;
 /** What nearness counts to one who goes first on the same way, and to one who comes after. */
-const AHEAD = 1.5;
+const AHEAD = 3;
 const BEHIND = 0.5;
 /** Time lost until a walker is under way, seconds; and what standing costs one who is stuck over what it takes. */
 const UNDER_WAY = 0.3;
@@ -330,40 +330,60 @@ function wayOf(crowd: Crowd, i: number, time: number): LongWay {
   return person.way;
 }
 
-/** The next step of a walker whose step has ended: from the plan where it still holds, else searched for. */
-function takeStep(crowd: Crowd, i: number, time: number): void {
-  const { planner, statistics, states, tick } = crowd;
+/** What a walker sees and wants as its step ends: the search to be made, and whether it has waited long or makes room. */
+function prepare(crowd: Crowd, i: number, time: number): { search: Search; stuck: boolean } {
+  const { planner, states, neighbours, wishes } = crowd;
+  const { others } = planner;
   const person = crowd.people[i];
+  const tick = Math.round(time / TICK);
   const way = wayOf(crowd, i, time);
-  const count = look(crowd.neighbours, i, states, i * STATE, person.gait);
-  seeOthers(planner.others, crowd.sight, crowd.neighbours.seen, count, tick);
-  const waited = time - person.progressAt;
   const s = i * STATE;
-  for (let k = 0; k < planner.others.count; k++) {
-    const other = crowd.neighbours.seen[k];
-    const dx = crowd.neighbours.places[2 * other] - states[s + S.x];
-    const dz = crowd.neighbours.places[2 * other + 1] - states[s + S.z];
-    planner.others.weight[k] = goesFirst(crowd.wishes, i, other, dx, dz)
+  const x = states[s + S.x];
+  const z = states[s + S.z];
+  const count = look(neighbours, i, states, s, person.gait);
+  seeOthers(others, crowd.sight, neighbours.seen, count, tick);
+  for (let k = 0; k < others.count; k++) {
+    const other = neighbours.seen[k];
+    const dx = neighbours.places[2 * other] - x;
+    const dz = neighbours.places[2 * other + 1] - z;
+    others.weight[k] = goesFirst(wishes, i, other, dx, dz)
       ? AHEAD
-      : goesFirst(crowd.wishes, other, i, -dx, -dz)
+      : goesFirst(wishes, other, i, -dx, -dz)
         ? BEHIND
         : 1;
   }
-  const aside = giveWay(
-    crowd.ground,
-    crowd.wishes,
-    crowd.neighbours,
-    count,
-    i,
-    time,
-    waited,
-    states[s + S.x],
-    states[s + S.z],
-  );
+  const waited = time - person.progressAt;
+  const aside = giveWay(crowd.ground, wishes, neighbours, count, i, time, waited, x, z);
   // Who made room begins to wait anew.
   if (aside !== null) person.progress = Number.POSITIVE_INFINITY;
   const stuck = waited > STUCK_AFTER || aside !== null;
-  const search = searchOf(crowd, i, aside ?? way, stuck, time);
+  return { search: searchOf(crowd, i, aside ?? way, stuck, time), stuck };
+}
+
+/**
+ * Searches for an agent as it will when its step ends, but takes no step: what the planner holds then can be looked at.
+ *
+ * @returns whether anything is free.
+ */
+export function searchAgain(crowd: Crowd, i: number): boolean {
+  const { states, people, wishes } = crowd;
+  const person = { ...people[i] };
+  const wish = { ...wishes[i] };
+  crowd.nodesLeft = STUCK_NODES;
+  crowd.cellsLeft = 0;
+  placeAll(crowd.neighbours, crowd.sight, people, crowd.tick);
+  const { search } = prepare(crowd, i, states[i * STATE + S.time]);
+  const found = planSteps(crowd.planner, states, i * STATE, search);
+  Object.assign(people[i], person);
+  Object.assign(wishes[i], wish);
+  return found;
+}
+
+/** The next step of a walker whose step has ended: from the plan where it still holds, else searched for. */
+function takeStep(crowd: Crowd, i: number, time: number): void {
+  const { planner, statistics, states } = crowd;
+  const person = crowd.people[i];
+  const { search, stuck } = prepare(crowd, i, time);
   const spent = search.most <= 0;
   if (
     (spent || (person.kept < KEPT && !stuck && !crowd.options.greedy)) &&
@@ -376,18 +396,13 @@ function takeStep(crowd: Crowd, i: number, time: number): void {
     if (spent) statistics.putOff++;
     // Resting is what all others have left room for.
     const p = stepsOf(i);
-    createStop(
-      states,
-      i * STATE,
-      crowd.steps,
-      p,
-      states.slice(i * STATE, (i + 1) * STATE),
-      0,
-      0.4,
-      person.gait,
-    );
+    const s = i * STATE;
+    createStop(states, s, crowd.steps, p, states.slice(s, s + STATE), 0, 0.4, person.gait);
     person.planned = 0;
   } else commit(crowd, i);
+  person.kept = 0;
+  taken(crowd, i);
+  if (spent) return;
   statistics.plans++;
   statistics.expanded += planner.expanded;
   statistics.judgements += planner.judgements;
@@ -395,8 +410,6 @@ function takeStep(crowd: Crowd, i: number, time: number): void {
   statistics.worstExpanded = Math.max(statistics.worstExpanded, planner.expanded);
   statistics.worstGenerated = Math.max(statistics.worstGenerated, planner.generated);
   crowd.nodesLeft -= planner.expanded;
-  person.kept = 0;
-  taken(crowd, i);
 }
 
 /** What every step taken leaves behind: energy, and poses for the others to see. */
