@@ -25,13 +25,20 @@ export function siteSafety(): Plugin {
   return {
     name: "stepwright-site",
     apply: "build",
-    transformIndexHtml: () => [
-      {
-        tag: "meta",
-        attrs: { "http-equiv": "Content-Security-Policy", content: POLICY },
-        injectTo: "head-prepend",
-      },
-    ],
+    transformIndexHtml: {
+      order: "post",
+      handler: (html) => ({
+        // Pages without an origin may load style sheets of a host without CORS headers, as long as they do not ask for them.
+        html: html.replaceAll('rel="stylesheet" crossorigin', 'rel="stylesheet"'),
+        tags: [
+          {
+            tag: "meta",
+            attrs: { "http-equiv": "Content-Security-Policy", content: POLICY },
+            injectTo: "head-prepend",
+          },
+        ],
+      }),
+    },
     generateBundle(_, bundle) {
       // Workers are bundles of their own; the page's bundle carries the notices.
       if (!Object.keys(bundle).some((f) => f.endsWith(".html"))) return;

@@ -1,7 +1,8 @@
 /** The production build in a real Chromium: from asking for the page to a character that moves, and from a drag to its answer. */
 import { spawn, spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
-import { chromium } from "@playwright/test";
+import { type Browser, chromium } from "@playwright/test";
+import { FIRST_RENDER, type StepwrightScene } from "../../src/embed/element.ts";
 import { chromiumFlags, chromiumPath } from "../support/chromium.mjs";
 import { figure } from "./measure.ts";
 import type { BenchModule } from "./types.ts";
@@ -79,10 +80,41 @@ async function measure(path: string | undefined, progress: (text: string) => voi
     }
     await context.close();
   }
+  const embed = await measureEmbed(browser, progress);
   await browser.close();
   return [
+    ...embed,
     figure("first load to a moving character", "ms", loads, "<= 3000 ms", (v) => v <= 3000),
     figure("drag to answer, drawing paused", "ms", drags, "<= 50 ms", (v) => v <= 50),
+  ];
+}
+
+/** The embed page: from asking for it to its first picture, to footsteps and to a whole motion. */
+async function measureEmbed(browser: Browser, progress: (text: string) => void) {
+  const renders: number[] = [];
+  const plans: number[] = [];
+  for (let round = 0; round < 3; round++) {
+    progress(`browser: embed ${round + 1} of 3 ...`);
+    const context = await browser.newContext({ viewport: { width: 800, height: 450 } });
+    const page = await context.newPage();
+    await page.goto(`${URL}embed.html`);
+    const render = await page.waitForFunction(
+      (name) => performance.getEntriesByName(name)[0]?.startTime,
+      FIRST_RENDER,
+      { timeout: 60_000, polling: 20 },
+    );
+    renders.push((await render.jsonValue()) as number);
+    const planned = await page.waitForFunction(
+      () => (document.querySelector<StepwrightScene>("stepwright-scene")?.plan ? performance.now() : null),
+      null,
+      { timeout: 60_000, polling: 20 },
+    );
+    plans.push((await planned.jsonValue()) as number);
+    await context.close();
+  }
+  return [
+    figure("embed: first render", "ms", renders, "<= 1500 ms", (v) => v <= 1500),
+    figure("embed: first footsteps", "ms", plans, null, () => true),
   ];
 }
 
