@@ -28,10 +28,12 @@ export interface Room {
   group: Group;
   key: DirectionalLight;
   setTheme(theme: Theme): void;
+  /** Shows the key light's shadow, or leaves it out; no shader changes. */
+  setShadow(shown: boolean): void;
+  /** Whether the floor is drawn: not where a scene has ground of its own. */
+  showFloor(shown: boolean): void;
   /** Draws the light of the surroundings anew: it lives on the graphics card alone and is lost with the context. */
   relight(): void;
-  /** Shadows of 512 pixels while frames are spared, of 2048 otherwise. */
-  setDetail(sparing: boolean): void;
   dispose(): void;
 }
 
@@ -128,6 +130,8 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * 
   fill.position.set(5, 3.5, -3);
   group.add(hemisphere, key, key.target, fill);
   scene.add(group);
+  let strength = 1;
+  let shown = true;
   return {
     group,
     key,
@@ -144,25 +148,20 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * 
       hemisphere.intensity = t.hemisphere[2];
       key.color.set(t.key[0]);
       key.intensity = t.key[1];
-      key.shadow.intensity = t.shadow;
+      strength = t.shadow;
+      key.shadow.intensity = shown ? strength : 0;
       fill.color.set(t.fill[0]);
       fill.intensity = t.fill[1];
       grid.uGrid.value.set(t.grid[0]);
       grid.uFine.value = t.grid[1];
       grid.uCoarse.value = t.grid[2];
     },
-    setDetail(sparing) {
-      const { shadow } = key;
-      const size = sparing ? 512 : 2048;
-      if (shadow.mapSize.x === size) return;
-      shadow.mapSize.set(size, size);
-      shadow.radius = sparing ? 3 : 7;
-      shadow.blurSamples = sparing ? 8 : 20;
-      // Made anew at its size by the next frame.
-      shadow.map?.dispose();
-      shadow.mapPass?.dispose();
-      shadow.map = null;
-      shadow.mapPass = null;
+    setShadow(on) {
+      shown = on;
+      key.shadow.intensity = on ? strength : 0;
+    },
+    showFloor(shown) {
+      floor.visible = shown;
     },
     relight() {
       environment = light();

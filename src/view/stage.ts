@@ -33,7 +33,7 @@ import type { CharacterMesh } from "./character/build-mesh.ts";
 import { Figure } from "./character/figure.ts";
 import type { Guest } from "./character/guest.ts";
 import { type Footprint, FootprintLayer, type FootprintMode } from "./footprints.ts";
-import { FrameBudget } from "./frame-budget.ts";
+import { type Coarseness, drawsInSoftware, FramePace } from "./frame-pace.ts";
 import { PathLines } from "./path-lines.ts";
 import { boxMesh, createProp } from "./props.ts";
 import { createRoom, type Room } from "./room.ts";
@@ -46,6 +46,11 @@ export interface FreeRect {
   right: number;
   bottom: number;
 }
+
+/** Milliseconds without a frame after which one is drawn with everything. */
+const REST_AFTER = 600;
+/** Pixels of the canvas a CSS pixel, where frames are very slow. */
+const LARGE_PIXELS = 0.6;
 
 export class Stage {
   private readonly renderer: WebGLRenderer;
@@ -63,9 +68,12 @@ export class Stage {
   private readonly inkLines = new Map<number, Line>();
   private theme: Theme = "light";
   private waiting = 0;
-  private readonly budget = new FrameBudget(() => this.drawFull());
-  /** Whether the last picture was drawn in full while frames are spared. */
-  private full = true;
+  private resting = 0;
+  private warming = false;
+  private shaders = false;
+  private readonly pace: FramePace;
+  /** How coarse the last frame was. */
+  private drawn: Coarseness = 0;
   private free: FreeRect = { left: 0, top: 0, right: 0, bottom: 0 };
   private size = { width: 1, height: 1 };
   /** Called after each drawn frame, for what lies over the canvas. */
@@ -74,6 +82,7 @@ export class Stage {
   /** @throws Error when the browser has no WebGL 2. */
   constructor(readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.pace = new FramePace(drawsInSoftware(this.renderer.getContext()));
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = VSMShadowMap;
@@ -188,15 +197,21 @@ export class Stage {
   }
 
   setCharacter(skeleton: Skeleton, mesh: CharacterMesh): void {
-    if (this.figure) {
-      this.scene.remove(this.figure.group);
-      this.figure.dispose();
-    }
-    this.figure = new Figure(skeleton, mesh);
-    this.figure.setTheme(this.theme);
-    this.figure.group.visible = this.guest === null;
-    this.scene.add(this.figure.group);
-    this.invalidate();
+    const before = this.figure;
+    const figure = new Figure(skeleton, mesh);
+    this.figure = figure;
+    figure.setTheme(this.theme);
+    // Its shaders are made while the page goes on; until then the one before is shown.
+    void this.renderer.compileAsync(figure.group, this.camera, this.scene).then(() => {
+      if (before) {
+        this.scene.remove(before.group);
+        before.dispose();
+      }
+      figure.group.visible = this.guest === null;
+      // A newer one takes this one's place when it is ready.
+      this.scene.add(figure.group);
+      this.invalidate();
+    });
   }
 
   /** A character from a file instead of our own; null for our own again. */
@@ -276,6 +291,12 @@ export class Stage {
     return { x: ((v.x + 1) / 2) * this.size.width, y: ((1 - v.y) / 2) * this.size.height, visible: v.z < 1 };
   }
 
+  /** Whether the room's own floor is drawn. */
+  showFloor(shown: boolean): void {
+    this.room.showFloor(shown);
+    this.invalidate();
+  }
+
   /** Adds something of a feature's own to what is drawn. */
   add(object: Object3D): void {
     this.scene.add(object);
@@ -340,7 +361,8 @@ export class Stage {
   resize(width: number, height: number, free: FreeRect): void {
     this.size = { width: Math.max(1, width), height: Math.max(1, height) };
     this.free = free;
-    this.setDetail(this.budget.sparing);
+    this.applyRatio();
+    this.renderer.setSize(this.size.width, this.size.height, false);
     this.camera.aspect = this.size.width / this.size.height;
     // The middle of the picture is the middle of the free part.
     this.camera.setViewOffset(
@@ -357,13 +379,13 @@ export class Stage {
 
   /** Draws at once and in full, for those who read the canvas in the same turn. */
   drawNow(): void {
-    this.drawFull();
+    this.draw(0);
   }
 
   /** What is drawn, as a PNG. @throws Error when the browser gives none. */
   picture(): Promise<Blob> {
     // Drawn and read in the same turn: the buffer is not kept afterwards.
-    this.drawNow();
+    this.draw(0);
     return new Promise((resolve, reject) => {
       this.canvas.toBlob((blob) => {
         if (blob) resolve(blob);
@@ -377,29 +399,53 @@ export class Stage {
     if (this.waiting) return;
     this.waiting = requestAnimationFrame((now) => {
       this.waiting = 0;
-      if (this.budget.frame(now) || this.full) this.setDetail(this.budget.sparing);
-      this.full = false;
-      this.renderer.render(this.scene, this.camera);
       this.onDraw();
+      if (!this.shaders) {
+        this.warmUp();
+        return;
+      }
+      this.pace.moved(now);
+      this.draw(this.pace.coarseness);
+      window.clearTimeout(this.resting);
+      // What stands still is drawn with everything.
+      if (this.pace.coarseness > 0) this.resting = window.setTimeout(() => this.drawAtRest(), REST_AFTER);
     });
   }
 
-  /** The picture has come to rest: once more in full. */
-  private drawFull(): void {
-    this.setDetail(false);
-    this.full = true;
+  /** The room's shaders are made before its first frame, without holding up the page. */
+  private warmUp(): void {
+    if (this.warming) return;
+    this.warming = true;
+    void this.renderer.compileAsync(this.scene, this.camera).then(() => {
+      this.shaders = true;
+      this.invalidate();
+    });
+  }
+
+  private drawAtRest(): void {
+    // While a frame is asked for, things move.
+    if (!this.waiting) this.draw(0);
+  }
+
+  private draw(coarseness: Coarseness): void {
+    if (coarseness !== this.drawn) {
+      this.drawn = coarseness;
+      this.applyRatio();
+    }
+    this.room.setShadow(coarseness < 2);
+    this.renderer.shadowMap.autoUpdate = coarseness < 2;
     this.renderer.render(this.scene, this.camera);
   }
 
-  private setDetail(sparing: boolean): void {
-    this.renderer.setPixelRatio(sparing ? 1 : Math.min(2, window.devicePixelRatio || 1));
-    this.renderer.setSize(this.size.width, this.size.height, false);
-    this.room.setDetail(sparing);
+  private applyRatio(): void {
+    const own = Math.min(2, window.devicePixelRatio || 1);
+    const ratio = this.drawn === 0 ? own : this.drawn < 3 ? Math.min(1, own) : LARGE_PIXELS;
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
   }
 
   dispose(): void {
-    this.budget.dispose();
     cancelAnimationFrame(this.waiting);
+    window.clearTimeout(this.resting);
     this.controls.dispose();
     this.room.dispose();
     this.figure?.dispose();

@@ -5,12 +5,22 @@
  * planner-worker.ts, or on the page's own thread where no worker can start (then with smaller slices).
  */
 
-import { beginSynthesis, handResults, type SwingCache, synthesiseChunk } from "../core/motion/synthesise.ts";
+import { joinMotions, type PlannedMotion, risen, standingAfter } from "../core/blending/join.ts";
+import { type BlendLibrary, bakeLibrary } from "../core/blending/library.ts";
+import { planStones } from "../core/blending/plan-stones.ts";
+import type { CyclicSource } from "../core/blending/types.ts";
+import {
+  beginSynthesis,
+  handResults,
+  type SwingCache,
+  synthesiseChunk,
+  synthesiseClip,
+} from "../core/motion/synthesise.ts";
 import type { MotionChunk } from "../core/motion/types.ts";
 import { measureMotion } from "../core/quality/measure.ts";
 import type { Scene } from "../core/scene/types.ts";
 import { JOINT_COUNT } from "../core/skeleton/joints.ts";
-import { createSkeleton } from "../core/skeleton/skeleton.ts";
+import { createSkeleton, type Skeleton } from "../core/skeleton/skeleton.ts";
 import type { StrideFamily } from "../core/styles/family.ts";
 import { planPaths, stylesOf } from "../core/styles/plan-paths.ts";
 import { goalsOf, planScene } from "../core/tasks/plan-scene.ts";
@@ -19,6 +29,7 @@ import type { TaskGoal } from "../core/tasks/transition.ts";
 import { decodeLibrary } from "../core/templates/library-file.ts";
 import { retargetLibrary } from "../core/templates/retarget-library.ts";
 import type { Library } from "../core/templates/types.ts";
+import { cyclicSources } from "../studio/blend-library.ts";
 import { styleFamilies } from "../studio/style-families.ts";
 import type { PlannerRequest, PlannerResponse } from "./protocol.ts";
 
@@ -72,6 +83,8 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
   /** The plan that each asker plays, by `client`. */
   const played = new Map<number, Playing>();
   let families: { key: string; byStyle: Map<string, StrideFamily> } | null = null;
+  let cycles: CyclicSource[] | null = null;
+  let blends: { key: string; library: BlendLibrary } | null = null;
   let newest: PlanRequest | null = null;
   let busy = false;
 
@@ -85,6 +98,7 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
       clips: base.clips.length,
       transitions: base.transitions,
     });
+    void work();
   }
 
   /** Templates for the scene's character, kept until it changes. */
@@ -103,19 +117,47 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     return character;
   }
 
-  /** A scene with paths: the walk along them, in the styles painted; tasks wait until there are no paths. */
-  async function answerPaths(request: PlanRequest): Promise<void> {
-    const { scene } = request;
-    const skeleton = createSkeleton(scene.character.height, scene.character.proportions);
-    const begun = performance.now();
-    const { key } = libraryFor(scene);
+  /** The walk along a scene's paths, in the styles painted; tasks wait until there are no paths. */
+  function alongPaths(scene: Scene, key: string, skeleton: Skeleton): PlannedMotion {
     if (families?.key !== key) families = { key, byStyle: new Map() };
     const missing = stylesOf(scene).filter((style) => !families?.byStyle.has(style));
     for (const [style, family] of styleFamilies(missing, skeleton)) families.byStyle.set(style, family);
     const { plan, motion } = planPaths(scene, skeleton, families.byStyle);
     if (scene.tasks.length > 0) plan.warnings.push("paths: tasks wait while a path is followed.");
+    return { plan, clip: motion.clip, contacts: motion.contacts };
+  }
+
+  /** The clips that steps on stones are blended of, baked for a character. */
+  function blendsFor(key: string, skeleton: Skeleton): BlendLibrary {
+    cycles ??= cyclicSources();
+    if (blends?.key !== key) blends = { key, library: bakeLibrary(cycles, skeleton) };
+    return blends.library;
+  }
+
+  /** A scene with paths or stones: its tasks or paths, then its stones, as one motion. */
+  async function answerWhole(request: PlanRequest): Promise<void> {
+    const scene = risen(request.scene);
+    const skeleton = createSkeleton(scene.character.height, scene.character.proportions);
+    const begun = performance.now();
+    const { key, library, cache } = libraryFor(scene);
+    let motion: PlannedMotion | null = null;
+    let hands: ReturnType<typeof handResults> = { boxes: [], ink: [] };
+    if (scene.paths.length > 0) motion = alongPaths(scene, key, skeleton);
+    else if (scene.tasks.length > 0) {
+      const plan = planScene(scene, library, skeleton, { trace: true });
+      const synthesis = beginSynthesis(library, skeleton, plan, goalsOf(scene), cache);
+      motion = { plan, clip: synthesiseClip(synthesis, "scene"), contacts: synthesis.track.contacts };
+      hands = handResults(synthesis);
+    }
+    if (scene.stones.length > 0) {
+      const stones = planStones(scene, blendsFor(key, skeleton), motion ? standingAfter(motion) : null, {
+        lambda4: request.lambda4 ?? 0,
+      });
+      motion = motion ? joinMotions(motion, stones) : stones;
+    }
+    if (!motion) throw new Error("The scene has neither paths nor stones.");
     played.delete(request.client);
-    const { clip, contacts } = motion;
+    const { plan, clip, contacts } = motion;
     post({ type: "planned", id: request.id, plan, planMs: performance.now() - begun, frames: clip.frames });
     await pause();
     const started = performance.now();
@@ -138,13 +180,14 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
       await pause();
     }
     const motionMs = performance.now() - started;
-    const quality = measureMotion(skeleton, chunks, clip.frames, plan, []);
-    post({ type: "finished", id: request.id, boxes: [], ink: [], quality, motionMs });
+    const goals = scene.paths.length > 0 ? [] : goalsOf(scene);
+    const quality = measureMotion(skeleton, chunks, clip.frames, plan, goals);
+    post({ type: "finished", id: request.id, ...hands, quality, motionMs });
   }
 
   async function answer(request: PlanRequest): Promise<void> {
     const { scene } = request;
-    if (scene.paths.length > 0) return answerPaths(request);
+    if (scene.paths.length > 0 || scene.stones.length > 0) return answerWhole(request);
     const { key, library, cache } = libraryFor(scene);
     const skeleton = createSkeleton(scene.character.height, scene.character.proportions);
     const begun = performance.now();
@@ -201,7 +244,8 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
   }
 
   async function work(): Promise<void> {
-    if (busy) return;
+    // What is asked for before the library is there waits for it.
+    if (busy || !base) return;
     busy = true;
     let done: PlanRequest | null = null;
     while (newest && newest !== done) {

@@ -23,6 +23,8 @@ export type PlannerRequest =
       now: number | null;
       /** Frame from which motion is wanted first (what is shown); chunks come from there on, then the rest. */
       fromFrame: number;
+      /** For stones: 0 follows the footsteps, 1 the root alone [Barycentric §5]; left out: 0. */
+      lambda4?: number;
     }
   | { type: "cancel"; id: number }
   /** First: where the library is, or its bytes. Answered by `ready` or `failed` with id 0. */

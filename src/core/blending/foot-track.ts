@@ -31,6 +31,8 @@ import { sampleStance, sampleSwing } from "./sample.ts";
 
 /** The pitch shown follows the wanted one no faster than this, rad/s: plans that change late make no jump. */
 const PITCH_RATE = 9;
+/** Least clearance in the middle of a swing, metres. */
+const CLEAR = 0.008;
 
 const planted = new Float64Array(3);
 const spot = new Float64Array(3);
@@ -101,9 +103,8 @@ function plantedPitch(b: Batch, i: number, side: number, t: number): number {
  * The ankle's place, the foot's rotation and the toes' bend wanted at time t, into the foot's block (ANKLE).
  *
  * @param dt seconds since the frame before, for the pitch's rate.
- * @returns 1 while the foot is down.
  */
-export function footAt(b: Batch, i: number, side: number, t: number, dt: number): number {
+export function footAt(b: Batch, i: number, side: number, t: number, dt: number): void {
   const s = b.state;
   const o = STATE * i;
   const f = o + FOOT + FOOT_STATE * side;
@@ -111,16 +112,9 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
   if (s[f + AIR] === 0) {
     const wanted = plantedPitch(b, i, side, t);
     const most = PITCH_RATE * dt;
-    const step = wanted - s[f + PITCH];
-    const pitch = s[f + PITCH] + (step > most ? most : Math.max(step, -most));
-    s[f + PITCH] = pitch;
-    ankleOver(s, f + PLACE, shape, pitch);
-    s[f + ANKLE] = spot[0];
-    s[f + ANKLE + 1] = spot[1];
-    s[f + ANKLE + 2] = spot[2];
-    rotateFoot(s, f, s[f + PLACE + 3], pitch, s[f + PLACE + 4], s[f + PLACE + 5]);
-    s[f + ANKLE + 7] = planted[2];
-    return 1;
+    s[f + PITCH] += Math.max(-most, Math.min(most, wanted - s[f + PITCH]));
+    plant(b, f);
+    return;
   }
   const swing = b.scratch.swing;
   const length = s[f + F_LAND] - s[f + F_LIFT];
@@ -129,7 +123,7 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
   sampleSwing(swing, b, mix, side, 1);
   const landing = swing[3];
   sampleSwing(swing, b, mix, side, 0);
-  const early = u < 0.5 ? (1 - 2 * u) * (1 - 2 * u) : 0;
+  const early = 1 - easedShare(Math.min(1, u / 0.6));
   const pitchOff = early * (s[f + LEAVE + 3] - swing[3]);
   const toeOff = early * (s[f + LEAVE + 4] - swing[4]);
   sampleSwing(swing, b, mix, side, u);
@@ -143,8 +137,13 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
   // Up early, down late: over the edge of a step or a stone.
   const v = rise > 0 ? Math.min(1, u / 0.75) : Math.max(0, (u - 0.25) / 0.75);
   const over = u * (1 - u) * Math.abs(rise);
+  const bend = swing[4] + toeOff;
+  const ground = s[f + PLACE + 1] + share * (s[f + TARGET + 1] - s[f + PLACE + 1]);
+  const up = s[f + LEAVE + 1] + easedShare(v) * rise + over + swing[1];
+  // Blends and other feet's pitches must not push heel or toes through the ground.
+  const low = ground + CLEAR * 4 * u * (1 - u) - up - lowest(shape, pitch, bend);
   s[f + ANKLE] = s[f + LEAVE] + share * (spot[0] - s[f + LEAVE]) + c * swing[0] + n * swing[2];
-  s[f + ANKLE + 1] = s[f + LEAVE + 1] + easedShare(v) * rise + over + swing[1];
+  s[f + ANKLE + 1] = up + Math.max(0, low);
   s[f + ANKLE + 2] = s[f + LEAVE + 2] + share * (spot[2] - s[f + LEAVE + 2]) - n * swing[0] + c * swing[2];
   s[f + PITCH] = pitch;
   const turn = wrapAngle(s[f + TARGET + 3] - s[f + PLACE + 3]);
@@ -156,8 +155,51 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
     s[f + PLACE + 4] + share * (s[f + TARGET + 4] - s[f + PLACE + 4]),
     s[f + PLACE + 5] + share * (s[f + TARGET + 5] - s[f + PLACE + 5]),
   );
-  s[f + ANKLE + 7] = swing[4] + toeOff;
-  return 0;
+  s[f + ANKLE + 7] = bend;
+}
+
+/** Ankles bend up no farther than about this over a planted foot; beyond, the heel rises. Softness; radians. */
+const MOST_BEND = 0.66;
+const BEND_SOFT = 0.04;
+
+/**
+ * Lets the heel of a planted foot rise where the shank leans farther than the ankle bends.
+ *
+ * @param bend the ankle's bend, toe towards shin positive, as the leg is closed now.
+ * @returns whether the ankle wanted has changed: the leg is then closed again.
+ */
+export function easeAnkle(b: Batch, i: number, side: number, bend: number): boolean {
+  const over = (bend - MOST_BEND) / BEND_SOFT;
+  if (over < -3) return false;
+  const s = b.state;
+  const f = STATE * i + FOOT + FOOT_STATE * side;
+  const pitch = s[f + PITCH] - BEND_SOFT * Math.log1p(Math.exp(Math.min(over, 20)));
+  s[f + PITCH] = Math.max(-1.3, pitch);
+  plant(b, f);
+  return true;
+}
+
+/** The ankle wanted of a planted foot at its pitch. */
+function plant(b: Batch, f: number): void {
+  const s = b.state;
+  ankleOver(s, f + PLACE, b.library.skeleton.foot, s[f + PITCH]);
+  s[f + ANKLE] = spot[0];
+  s[f + ANKLE + 1] = spot[1];
+  s[f + ANKLE + 2] = spot[2];
+  rotateFoot(s, f, s[f + PLACE + 3], s[f + PITCH], s[f + PLACE + 4], s[f + PLACE + 5]);
+  s[f + ANKLE + 7] = planted[2];
+}
+
+/** Height of the sole's lowest point (heel, ball, tip) over the ankle, negative. */
+function lowest(shape: FootShape, pitch: number, bend: number): number {
+  const c = Math.cos(pitch);
+  const n = Math.sin(pitch);
+  const heel = -shape.ankleHeight * c - shape.heelBack * n;
+  const joint = shape.ballForward * n - (shape.ankleHeight - shape.ballHeight) * c;
+  const ct = Math.cos(pitch + bend);
+  const ball = joint - shape.ballHeight * ct;
+  const tip = ball + shape.tipForward * Math.sin(pitch + bend);
+  return Math.min(heel, ball, tip);
 }
 
 /** Foot rotation xyzw into the block: yaw, then pitch (toe up positive), tilted from up to the ground's normal. */

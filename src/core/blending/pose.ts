@@ -6,6 +6,7 @@ import { contactsOfPitch } from "../motion/sole.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import {
+  AIR,
   ANKLE,
   type Batch,
   BLEND_FROM,
@@ -18,16 +19,19 @@ import {
   NOW,
   PHI,
   PITCH,
+  PLACE,
   POSE,
+  QUEUE,
+  QUEUE_ROW,
   STATE,
   STEPPING,
   T1,
 } from "./batch.ts";
-import { footAt } from "./foot-track.ts";
+import { easeAnkle, footAt } from "./foot-track.ts";
 import { closeLeg, type Leg, legOf, sinkFor } from "./leg-ik.ts";
-import { HIPS_AT } from "./library.ts";
+import { easedShare, HIPS_AT } from "./library.ts";
 import { rootAt } from "./root-track.ts";
-import { applyOffset, sampleBody } from "./sample.ts";
+import { applyHipsOffset, applyOffset, HIPS_BLEND, sampleBody } from "./sample.ts";
 
 /** Phase of the body's rows at time t: lift, landing and next lift are met [Barycentric §5, time warping]. */
 function bodyPhase(s: Float64Array, o: number, t: number): number {
@@ -49,12 +53,38 @@ export function shownBody(out: Float64Array, b: Batch, i: number, t: number): vo
   else {
     const { stand } = b.library;
     for (let k = 0; k < HIPS_AT + 3; k++) out[k] = stand[k];
+    leanOver(out, b, i, t);
   }
   const length = s[o + BLEND_TIME];
   if (length > 0) {
-    const u = (t - s[o + BLEND_FROM]) / length;
-    if (u < 1) applyOffset(out, b, i, Math.max(u, 0), length);
+    const time = Math.max(0, t - s[o + BLEND_FROM]);
+    if (time < length) applyOffset(out, b, i, time / length, length);
+    if (time < HIPS_BLEND) applyHipsOffset(out, b, i, time);
   }
+}
+
+/** Seconds before a first lift at which the weight begins to go over; share of the way to the supporting foot that it goes. */
+const LEAN_TIME = 0.5;
+const LEAN = 0.45;
+
+/** Before a first step the hips go over the foot that will bear [anticipatory adjustment, Breniere and Do 1986]. */
+function leanOver(out: Float64Array, b: Batch, i: number, t: number): void {
+  if (b.queueCount[i] === 0) return;
+  const row = QUEUE_ROW * (QUEUE * i + b.queueHead[i]);
+  const u = 1 + (t - b.queue[row + 7]) / LEAN_TIME;
+  if (u <= 0) return;
+  const s = b.state;
+  const o = STATE * i;
+  const side = b.queue[row];
+  const f = o + FOOT + FOOT_STATE * (1 - side) + PLACE;
+  const g = o + FOOT + FOOT_STATE * side + PLACE;
+  const share = LEAN * easedShare(Math.min(1, u));
+  const dx = (share * (s[f] - s[g])) / 2;
+  const dz = (share * (s[f + 2] - s[g + 2])) / 2;
+  const c = Math.cos(s[o + NOW + 2]);
+  const n = Math.sin(s[o + NOW + 2]);
+  out[HIPS_AT] += c * dx - n * dz;
+  out[HIPS_AT + 2] += n * dx + c * dz;
 }
 
 const legs = new WeakMap<object, Leg>();
@@ -98,7 +128,7 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
   let sink = 0;
   for (let side = 0; side < 2; side++) {
     const f = o + FOOT + FOOT_STATE * side;
-    if (footAt(b, i, side, t, dt) === 1) contacts |= contactsOfPitch(s[f + PITCH]) << (2 * side);
+    footAt(b, i, side, t, dt);
     const joint = 3 * (side === 0 ? J.leftUpperLeg : J.rightUpperLeg);
     const need = sinkFor(
       leg,
@@ -116,8 +146,16 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
     }
   }
   if (sink > 0) for (let j = 0; j < JOINT_COUNT; j++) positions[3 * j + 1] -= sink;
-  closeLeg(leg, offsets, pose, positions, world, J.leftUpperLeg, s, o + FOOT);
-  closeLeg(leg, offsets, pose, positions, world, J.rightUpperLeg, s, o + FOOT + FOOT_STATE);
+  for (let side = 0; side < 2; side++) {
+    const f = o + FOOT + FOOT_STATE * side;
+    const upper = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
+    closeLeg(leg, offsets, pose, positions, world, upper, s, f);
+    if (s[f + AIR] === 1) continue;
+    const q = 4 * (upper + 2);
+    const bend = -2 * Math.atan2(pose[q], pose[q + 3]);
+    if (easeAnkle(b, i, side, bend)) closeLeg(leg, offsets, pose, positions, world, upper, s, f);
+    contacts |= contactsOfPitch(s[f + PITCH]) << (2 * side);
+  }
   b.root[3 * i] = positions[0];
   b.root[3 * i + 1] = positions[1];
   b.root[3 * i + 2] = positions[2];

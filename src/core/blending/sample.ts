@@ -70,15 +70,6 @@ export function sampleStance(b: Batch, mix: number, side: number, part: number, 
   return out;
 }
 
-/** A number of each clip's step (a column of `moves`), blended: eq. 2 and its like. */
-export function blendMoves(b: Batch, mix: number, side: number, stride: number, column: number): number {
-  const { moves } = b.library;
-  let out = 0;
-  for (let k = 0; k < b.mixCount[mix]; k++)
-    out += b.mixWeights[mix * MIX + k] * moves[stride * (2 * b.mixClips[mix * MIX + k] + side) + column];
-  return out;
-}
-
 /**
  * Begins a blend: what is shown goes on from `old` and its motion, and fades to the new pose.
  *
@@ -137,7 +128,22 @@ function rodrigues(out: Float64Array, o: number, a: Float64Array, b: Float64Arra
   out[o + 2] = f * (aw * bz + ax * by - ay * bx + az * bw);
 }
 
-/** Lays what is left of the blend over a pose. @param s share of its time that is past, 0..1. */
+/** The hips' place is heavy: its blend takes longer than the joints', seconds. */
+export const HIPS_BLEND = 0.5;
+
+/** Lays what is left of the hips' part of the blend over a pose. @param time seconds since it began, under HIPS_BLEND. */
+export function applyHipsOffset(pose: Float64Array, b: Batch, i: number, time: number): void {
+  const g = b.offset;
+  const h = OFFSET * i + 6 * JOINT_COUNT;
+  const s = time < 0 ? 0 : time / HIPS_BLEND;
+  const s2 = s * s;
+  const s3 = s2 * s;
+  const h0 = 1 - s3 * (10 - 15 * s + 6 * s2);
+  const h1 = HIPS_BLEND * (s - s3 * (6 - 8 * s + 3 * s2));
+  for (let k = 0; k < 3; k++) pose[HIPS_AT + k] += h0 * g[h + k] + h1 * g[h + 3 + k];
+}
+
+/** Lays what is left of the joints' part of the blend over a pose. @param s share of its time that is past, 0..1. */
 export function applyOffset(pose: Float64Array, b: Batch, i: number, s: number, length: number): void {
   const g = b.offset;
   const o = OFFSET * i;
@@ -164,6 +170,4 @@ export function applyOffset(pose: Float64Array, b: Batch, i: number, s: number, 
     pose[q + 2] = n * nz;
     pose[q + 3] = n * nw;
   }
-  const h = o + 6 * JOINT_COUNT;
-  for (let k = 0; k < 3; k++) pose[HIPS_AT + k] += h0 * g[h + k] + h1 * g[h + 3 + k];
 }

@@ -48,3 +48,44 @@ export interface ClipAnalysis {
   /** Frames of the clip between which the cycle lies: lifts of both steps, and of the first foot again. */
   frames: { first: number; second: number; end: number };
 }
+
+/** What the blend did for one step: what the plots show. */
+export interface StepChoice {
+  foot: Foot;
+  lift: number;
+  land: number;
+  /** The query in the root's frame, where it was weighed (the hull), where the mix lands, the root's landing r. */
+  query: [number, number];
+  weighed: [number, number];
+  landing: [number, number];
+  root: [number, number];
+  triangle: number;
+  area: number;
+  /** Clips at the triangle's corners after Algorithm 1, their lambdas, lambda_4 and beta. */
+  corners: number[];
+  lambda: number[];
+  lambda4: number;
+  beta: number;
+  /** Clips blended and their weights. */
+  clips: number[];
+  weights: number[];
+  /** Metres: from the blend alone to the footstep, before inverse kinematics; from where it lands to the footstep. */
+  before: number;
+  missed: number;
+}
+
+/** A foot's space as plain lists: landing points, corners of the triangles, the hull. */
+export interface SpaceStory {
+  points: number[];
+  triangles: number[];
+  hull: number[];
+}
+
+/** What the blend did, as plots show it. */
+export interface BlendStory {
+  names: string[];
+  feet: [SpaceStory, SpaceStory];
+  /** Index in the plan's steps of the first choice. */
+  first: number;
+  choices: StepChoice[];
+}

@@ -9,11 +9,13 @@
  */
 import { wrapAngle } from "../math/angle.ts";
 import { type GroundPose, toLocal, toWorld } from "../math/frame2.ts";
+import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Foot } from "../steps/types.ts";
 import type { Library } from "../templates/types.ts";
 import { type DraftStep, type Feet, footPose, otherFoot, stanceBefore } from "./draft.ts";
 import { carriedAt } from "./locomotion.ts";
 import { type Obstacle, obstacleDistance } from "./route.ts";
+import { footInside } from "./tidy.ts";
 
 /** A capture's step seen from the standing foot: where its foot comes from and goes to. */
 interface Move {
@@ -35,7 +37,7 @@ const DEPTH = 9;
 /** Costs: a step; warping by half a metre, twice that; a place in furniture. */
 const STEP = 0.2;
 const WARP = 0.7;
-const BLOCKED = 0.6;
+const BLOCKED = 1.5;
 /** Furniture farther than this from both ends is not looked at, metres. */
 const NEAR = 2.5;
 /** A step that turns, beside one that walks. */
@@ -149,6 +151,7 @@ export function approach(
   goal: ApproachGoal,
   carrying: boolean,
   obstacles: readonly Obstacle[],
+  skeleton: Skeleton,
   wished: (k: number) => Foot | undefined = () => undefined,
 ): DraftStep[] {
   const all = movesOf(library);
@@ -195,12 +198,8 @@ export function approach(
           const z = stance.z - s * move.to.x + c * move.to.z;
           const d = Math.hypot(x - target.x, z - target.z);
           if (cost + WAY * d >= worst) continue;
-          for (const o of near)
-            if (obstacleDistance(o, x, z) < 0.08) {
-              cost += BLOCKED;
-              break;
-            }
           const to = { x, z, yaw: wrapAngle(stance.yaw + move.to.yaw) };
+          if (near.length > 0 && footInside(near, to, skeleton)) cost += BLOCKED;
           const score = cost + WAY * d + 0.12 * facing(to, target, d);
           if (score >= worst) continue;
           insert(children, { parent, move, foot, to, cost, score });

@@ -1,4 +1,5 @@
 /** What the task planner gives to the motion stage, the view and the plots. Plain data. */
+import type { BlendStory } from "../blending/types.ts";
 import type { Foot, Footstep, Phase, StepCategory } from "../steps/types.ts";
 
 /** A planned step: the footstep, the motion segment it is made of, its times. */
@@ -81,4 +82,6 @@ export interface Plan {
   traces: OptimisationTrace[];
   /** One sentence each, naming the place, for what could not be met. */
   warnings: string[];
+  /** What the blend did for steps on stones [Barycentric]; left out where there are none. */
+  blend?: BlendStory;
 }

@@ -22,7 +22,7 @@ import { createPhaseWorkspace, optimisePhase, type PhaseGoal } from "./optimise-
 import { pivotEnd, placePivots } from "./pivots.ts";
 import type { OptimisationTrace, Plan } from "./plan-types.ts";
 import { findRoute, type GroundPoint, type Obstacle } from "./route.ts";
-import { tidyFootsteps } from "./tidy.ts";
+import { tidyFootsteps, wayOut } from "./tidy.ts";
 import { appendStep, type Timeline } from "./timeline.ts";
 import { chainFrom, compete, layInTaskFrame, type TaskGoal } from "./transition.ts";
 
@@ -473,6 +473,7 @@ function prepareEntry(
     { stanceFoot: entry.stanceFoot, stance: entry.stance },
     context.carrying,
     context.obstacles,
+    context.skeleton,
     (k) => context.feetWished.get(`${index}:${earlier + walked + k}`),
   );
   for (const s of steps) feet[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
@@ -528,9 +529,16 @@ function shareOut(steps: DraftStep[], aim: GroundPose): void {
 
 /** PlanTaskEntryPhase: the template between the feet that are there and its own places at the task. */
 function planEntry(context: Context, entry: Entry, index: number): void {
-  const laid = entry.steps;
-  const n = laid.length;
+  const n = entry.steps.length;
   if (n === 0) return;
+  // Where the stance at the task is in other furniture it is moved as a whole, step by step.
+  const last: Feet = { ...entry.stance };
+  for (const s of entry.steps) last[s.foot] = s;
+  const [dx, dz] = wayOut(context.skeleton, [last.left, last.right], context.obstacles);
+  const laid = entry.steps.map((s, i) => {
+    const f = (i + 1) / n;
+    return dx === 0 && dz === 0 ? s : { ...s, x: s.x + f * dx, z: s.z + f * dz };
+  });
   const chained = chainFrom(context.library, entry.template, context.feet);
   // How far the feet are turned against the template's own stance is shared over its steps, so that it ends facing as it
   // did: Table 2 gives the enter phase no orientation term that would see to it.

@@ -112,3 +112,45 @@ export function collisions(
   }
   return count;
 }
+
+/** Whether the middle of a foot at a pose is in an obstacle, as `tidyFootsteps` would not leave it. */
+export function footInside(
+  obstacles: readonly Obstacle[],
+  foot: { x: number; z: number; yaw: number },
+  skeleton: Skeleton,
+): boolean {
+  const m = TIDY.footMiddle * skeleton.legLength;
+  const x = foot.x + m * Math.sin(foot.yaw);
+  const z = foot.z + m * Math.cos(foot.yaw);
+  return obstacles.some((o) => obstacleDistance(o, x, z) < TIDY.footRadius);
+}
+
+/** Farthest that a stance is moved from where its task wants it, metres. */
+const MOST_ASIDE = 0.5;
+
+/**
+ * How far a stance has to be moved for both feet to stand free of furniture: one way for both, so that they stay beside each
+ * other. [0, 0] where nothing is in the way, or no way out is near.
+ */
+export function wayOut(
+  skeleton: Skeleton,
+  feet: readonly { x: number; z: number; yaw: number }[],
+  obstacles: readonly Obstacle[],
+): [number, number] {
+  const m = TIDY.footMiddle * skeleton.legLength;
+  let x = 0;
+  let z = 0;
+  for (let round = 0; round < 8; round++) {
+    let moved = false;
+    for (const f of feet) {
+      const p = { x: f.x + x + m * Math.sin(f.yaw), z: f.z + z + m * Math.cos(f.yaw) };
+      const from = { ...p };
+      if (!pushOut(p, obstacles, TIDY.footRadius)) continue;
+      x += p.x - from.x;
+      z += p.z - from.z;
+      moved = true;
+    }
+    if (!moved) break;
+  }
+  return Math.hypot(x, z) <= MOST_ASIDE ? [x, z] : [0, 0];
+}

@@ -5,6 +5,15 @@ import type { Feature } from "./feature.ts";
 import { footsteps } from "./footsteps.ts";
 import { furniture } from "./furniture.ts";
 import { paths } from "./paths.ts";
+import { stones } from "./stones.ts";
 import { tasks } from "./tasks.ts";
 
-export const ALL_FEATURES: readonly Feature[] = [basics, furniture, tasks, footsteps, paths, characters];
+export const ALL_FEATURES: readonly Feature[] = [
+  basics,
+  furniture,
+  tasks,
+  footsteps,
+  paths,
+  stones,
+  characters,
+];

@@ -16,6 +16,8 @@ export class PlanSession {
   readonly motion = new MotionStore();
   readonly log: LogEntry[] = [];
   private readonly planner: PlannerClient;
+  /** For stones: 0 follows the footsteps, 1 the root alone; not part of the scene. */
+  lambda4 = 0;
   private askedId = 0;
   private plannedId = 0;
   /** Whether the first motion of the scene has begun to play. */
@@ -37,8 +39,15 @@ export class PlanSession {
   ask(): void {
     const s = this.e.store.getState();
     const now = this.begun && s.time > 0 && s.time < this.duration - 0.01 ? s.time : null;
-    this.askedId = this.planner.plan(s.scene, now);
+    this.askedId = this.planner.plan(s.scene, now, this.lambda4);
     this.note("asked", this.askedId);
+  }
+
+  /** Sets lambda_4 and plans anew. */
+  follow(lambda4: number): void {
+    this.lambda4 = lambda4;
+    this.ask();
+    this.e.redraw();
   }
 
   /** The next motion starts by itself, from the beginning. */

@@ -18,7 +18,6 @@ export class PlannerClient {
   private nextId = 1;
   private newest: Extract<PlannerRequest, { type: "plan" }> | null = null;
   private restarts = 0;
-  private ready = false;
 
   constructor(
     private readonly libraryUrl: string,
@@ -30,17 +29,12 @@ export class PlannerClient {
   }
 
   private start(): void {
-    this.ready = false;
     const worker = this.create();
     this.worker = worker;
     worker.onmessage = (event: MessageEvent<PlannerResponse>) => {
       // A worker that was replaced may have had answers on their way.
       if (worker !== this.worker) return;
       const message = event.data;
-      if (message.type === "ready") {
-        this.ready = true;
-        if (this.newest) this.send(this.newest);
-      }
       if (message.type === "finished") this.restarts = 0;
       this.events.message(message);
     };
@@ -52,9 +46,11 @@ export class PlannerClient {
       if (worker === this.worker) this.restart();
     };
     this.send({ type: "load", url: this.libraryUrl });
+    // The worker plans as soon as it has the library; nothing has to come back first.
+    if (this.newest) this.send(this.newest);
   }
 
-  /** Replaces the worker; the newest request is sent again once the library is loaded. */
+  /** Replaces the worker; the newest request is sent again. */
   restart(): void {
     this.worker?.terminate();
     if (this.restarts++ >= MOST_RESTARTS) {
@@ -74,10 +70,10 @@ export class PlannerClient {
   }
 
   /** Asks for a plan; what was asked before is overtaken. @returns the request's id. */
-  plan(scene: Scene, now: number | null): number {
+  plan(scene: Scene, now: number | null, lambda4 = 0): number {
     const id = this.nextId++;
-    this.newest = { type: "plan", id, client: 0, scene, now, fromFrame: 0 };
-    if (this.ready) this.send(this.newest);
+    this.newest = { type: "plan", id, client: 0, scene, now, fromFrame: 0, lambda4 };
+    this.send(this.newest);
     return id;
   }
 
