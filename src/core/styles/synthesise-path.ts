@@ -18,6 +18,7 @@ import type { ContactTrack } from "../steps/types.ts";
 import { balanceOnPath } from "./balance.ts";
 import { MEMBER_ROW, readFamily, type StrideFamily } from "./family.ts";
 import { constrainFeet, createFeetTrack, findPlants, freeFeet, type StylePlant } from "./feet.ts";
+import { easeKnees } from "./knees.ts";
 import { leanAlong } from "./lean.ts";
 import type { LoopSequence } from "./loop.ts";
 import { type MotionPath, placeOnPath, readPath } from "./path.ts";
@@ -99,6 +100,7 @@ export function synthesisePath(
     reachFeet(clip, feet.ankle);
     closeLegs(clip, feet, knees);
   }
+  if (o.feet && easeKnees(clip, feet, plants)) closeLegs(clip, feet, knees);
   return { clip, contacts: feet.contacts, plants, timeline, lean };
 }
 
