@@ -33,7 +33,7 @@ const hull = createHull(12);
 /**
  * Shifts a clip's hips; the feet stay.
  *
- * @param contacts contact bits a frame; @param heading of the path a frame, radians.
+ * @param contacts contact bits a frame; @param heading of the path itself a frame, radians.
  * @param closeLegs closes the legs on the feet after each shift.
  */
 export function balanceOnPath(

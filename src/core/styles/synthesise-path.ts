@@ -95,7 +95,7 @@ export function synthesisePath(
   reachFeet(clip, feet.ankle);
   closeLegs(clip, feet, knees);
   if (o.feet && o.balance) {
-    const heading = timeline.at.map((s) => readPath(path, path.heading, s));
+    const heading = timeline.at.map((s) => readPath(path, path.tangent, s));
     balanceOnPath(clip, plants, feet.contacts, heading, () => closeLegs(clip, feet, knees));
     reachFeet(clip, feet.ankle);
     closeLegs(clip, feet, knees);
