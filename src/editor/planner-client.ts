@@ -76,7 +76,7 @@ export class PlannerClient {
   /** Asks for a plan; what was asked before is overtaken. @returns the request's id. */
   plan(scene: Scene, now: number | null): number {
     const id = this.nextId++;
-    this.newest = { type: "plan", id, scene, now, fromFrame: 0 };
+    this.newest = { type: "plan", id, client: 0, scene, now, fromFrame: 0 };
     if (this.ready) this.send(this.newest);
     return id;
   }

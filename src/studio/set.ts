@@ -16,8 +16,8 @@ import { STYLES, styleScore } from "./styles.ts";
 const DEG = Math.PI / 180;
 const ADULT: Actor = { height: REFERENCE_HEIGHT, proportions: DEFAULT_PROPORTIONS };
 
-/** A performance: where it starts and the goals in their order. */
-function performance(
+/** A performance: where it starts and the goals in their order; `seed` varies one step from the next. */
+export function performance(
   name: string,
   seed: number,
   start: { x: number; z: number; yaw: number },

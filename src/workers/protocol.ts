@@ -13,6 +13,8 @@ export type PlannerRequest =
   | {
       type: "plan";
       id: number;
+      /** Who asks: the plan being played is remembered for each asker. A page of its own uses 0. */
+      client: number;
       scene: Scene;
       /**
        * Playing time, seconds, when an earlier answer is being played: steps begun by then are kept as they are.
@@ -23,8 +25,9 @@ export type PlannerRequest =
       fromFrame: number;
     }
   | { type: "cancel"; id: number }
-  /** First: where the library is. Answered by `ready` or `failed` with id 0. */
-  | { type: "load"; url: string };
+  /** First: where the library is, or its bytes. Answered by `ready` or `failed` with id 0. */
+  | { type: "load"; url: string }
+  | { type: "load"; bytes: Uint8Array };
 
 export type PlannerResponse =
   | { type: "ready"; templates: number; clips: number; transitions: number[][] }

@@ -15,6 +15,7 @@ import type { Plan } from "../../src/core/tasks/plan-types.ts";
 import { assembleLibrary, prepareClip } from "../../src/core/templates/build-library.ts";
 import { retargetLibrary } from "../../src/core/templates/retarget-library.ts";
 import type { LibraryClip } from "../../src/core/templates/types.ts";
+import { nearestDistances } from "../support/footstep-distance.ts";
 import { captures, hasShared } from "../support/shared.ts";
 import { turnTask } from "../support/turning.ts";
 import { figure, median } from "./measure.ts";
@@ -36,12 +37,11 @@ const realSteps = (clip: LibraryClip) =>
   clip.steps.filter((s) => s.start < clip.tasks[0].end * clip.clip.rate);
 
 /** Metres from each real footstep up to the turn's end to the nearest planned one of its foot. */
-function distances(clip: LibraryClip, plan: Plan): number[] {
-  return realSteps(clip).map((s) => {
-    const own = plan.steps.filter((p) => p.foot === s.foot);
-    return Math.min(9, ...own.map((p) => Math.hypot(p.x - s.to.x, p.z - s.to.z)));
-  });
-}
+const distances = (clip: LibraryClip, plan: Plan): number[] =>
+  nearestDistances(
+    realSteps(clip).map((s) => s.to),
+    plan.steps,
+  );
 
 const bench: BenchModule = {
   name: "ground-truth",

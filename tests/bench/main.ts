@@ -8,12 +8,25 @@ import contacts from "./contacts.bench.ts";
 import crowd from "./crowd.bench.ts";
 import groundTruth from "./ground-truth.bench.ts";
 import ik from "./ik.bench.ts";
+import leftOut from "./left-out.bench.ts";
 import optimiser from "./optimiser.bench.ts";
 import planning from "./planning.bench.ts";
+import quality from "./quality.bench.ts";
 import styles from "./styles.bench.ts";
 import type { BenchModule, BenchOptions, Figure } from "./types.ts";
 
-const MODULES: BenchModule[] = [optimiser, planning, ik, contacts, crowd, styles, groundTruth, browser];
+const MODULES: BenchModule[] = [
+  optimiser,
+  planning,
+  ik,
+  contacts,
+  crowd,
+  styles,
+  groundTruth,
+  leftOut,
+  quality,
+  browser,
+];
 
 const text = (v: number | null, unit: string): string =>
   v === null ? "" : `${v >= 100 ? v.toFixed(0) : v.toPrecision(3)} ${unit}`;

@@ -15,7 +15,10 @@ const GOALS: [string, (q: ReturnType<typeof measureMotion>) => boolean][] = [
   ["float <= 5 mm", (q) => (q.float ?? 0) <= 5],
   ["reach <= 5 mm", (q) => (q.reach ?? 0) <= 5],
   ["footsteps <= 1 mm", (q) => (q.footstepError?.position ?? 0) <= 1],
-  ["knees within limits", (q) => q.limitViolations === 0],
+  ["joints within limits", (q) => q.limitViolations === 0],
+  ["popping <= 1.5", (q) => (q.popping ?? 0) <= 1.5],
+  ["popping per joint <= 1.75", (q) => (q.poppingOwn ?? 0) <= 1.75],
+  ["no missed plants", (q) => q.missedPlants === 0],
   ["balance within 5 cm >= 0.69", (q) => (q.balanceWithin50mm ?? 1) >= 0.69],
 ];
 const SHARE = 0.8;

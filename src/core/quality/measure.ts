@@ -1,10 +1,10 @@
 /**
  * Motion-quality figures on a motion with contacts: what the editor shows and the result document carries.
  *
- * Definitions follow docs/quality.md. Popping and jerk need reference captures to compare with and are left null here.
+ * Definitions follow docs/quality.md.
  */
-
-import { quatRotate } from "../math/quaternion.ts";
+import { wrapAngle } from "../math/angle.ts";
+import { quatRotate, quatYaw } from "../math/quaternion.ts";
 import type { MotionChunk, QualityFigures } from "../motion/types.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
@@ -12,6 +12,10 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Plan } from "../tasks/plan-types.ts";
 import type { TaskGoal } from "../tasks/transition.ts";
 import { balanceShares } from "./balance.ts";
+import { checkClaims } from "./claims.ts";
+import { createRangeWorkspace, jointsOutOfRange } from "./joint-ranges.ts";
+import { type MotionPace, paceOf, steadyFrames } from "./kind.ts";
+import { jerkRatio, poppingOf } from "./smoothness.ts";
 
 /** Sole points a foot: heel, ball, tip. */
 const ROW = 9;
@@ -27,6 +31,13 @@ export interface MotionPoints {
   /** Pelvis up axis, frames x 3. */
   up: Float64Array;
   contacts: Uint8Array;
+  /** Local rotations xyzw, frames x JOINT_COUNT x 4. */
+  rotations: Float64Array;
+  /** The hips' place, frames x 3, and where they face. */
+  root: Float64Array;
+  yaw: Float64Array;
+  /** Frames with a joint outside of its anatomical range. */
+  outOfRange: number;
 }
 
 /** Places of joints and soles over a motion. */
@@ -42,7 +53,12 @@ export function motionPoints(
     palms: new Float64Array(6 * frames),
     up: new Float64Array(3 * frames),
     contacts: new Uint8Array(frames),
+    rotations: new Float64Array(4 * JOINT_COUNT * frames),
+    root: new Float64Array(3 * frames),
+    yaw: new Float64Array(frames),
+    outOfRange: 0,
   };
+  const ranges = createRangeWorkspace();
   const p = new Float64Array(3 * JOINT_COUNT);
   const w = new Float64Array(4 * JOINT_COUNT);
   const v = new Float64Array(3);
@@ -54,6 +70,13 @@ export function motionPoints(
       forwardKinematics(p, w, skeleton, chunk.root, 3 * k, chunk.rotations, 4 * JOINT_COUNT * k);
       out.joints.set(p, 3 * JOINT_COUNT * f);
       out.contacts[f] = chunk.contacts[k];
+      out.rotations.set(
+        chunk.rotations.subarray(4 * JOINT_COUNT * k, 4 * JOINT_COUNT * (k + 1)),
+        4 * JOINT_COUNT * f,
+      );
+      for (let i = 0; i < 3; i++) out.root[3 * f + i] = p[i];
+      out.yaw[f] = quatYaw(w, 0);
+      if (jointsOutOfRange(p, 0, w, 0, ranges).length > 0) out.outOfRange++;
       quatRotate(v, 0, w, 0, 0, 1, 0);
       out.up.set(v, 3 * f);
       for (let side = 0; side < 2; side++) {
@@ -90,6 +113,7 @@ export function measureMotion(
   goals: readonly TaskGoal[],
 ): QualityFigures {
   const points = motionPoints(skeleton, chunks, frames);
+  const ground = groundUnder(plan, frames);
   const slides: number[] = [];
   const flats: number[] = [];
   let deepest = 0;
@@ -120,7 +144,7 @@ export function measureMotion(
         }
         slides.push(1000 * far);
         for (let f = a; f < b; f++) {
-          const y = bit === 1 ? at(f, 1) : Math.min(at(f, 4), at(f, 7));
+          const y = (bit === 1 ? at(f, 1) : Math.min(at(f, 4), at(f, 7))) - ground[side][f];
           deepest = Math.max(deepest, -1000 * y);
           floats.push(Math.max(0, 1000 * y));
         }
@@ -132,22 +156,56 @@ export function measureMotion(
       flats.push(1000 * far);
     }
   }
-  const balance = balanceShares(points, skeleton, plan, goals);
+  const pace = paceOf(points.root, points.yaw, frames, 60);
+  const popping = poppingOf(points.rotations, frames, pace.kind);
+  const leg = skeleton.legLength - skeleton.foot.ankleHeight;
+  const balance = balanceShares(points, skeleton, plan, goals, ground);
   return {
     skate: p95(slides),
     skateFlat: p95(flats),
     penetration: deepest,
     float: p95(floats),
     reach: reachOf(points, plan, goals, skeleton),
-    footstepError: footstepErrorOf(points, plan),
-    limitViolations: kneesInverted(points),
-    popping: null,
-    poppingOwn: null,
-    jerk: null,
+    footstepError: footstepErrorOf(points, plan, ground),
+    limitViolations: points.outOfRange,
+    popping: popping?.popping ?? null,
+    poppingOwn: popping?.own ?? null,
+    jerk: steadyJerk(points, pace, leg),
     balance: balance.near,
     balanceWithin50mm: balance.wide,
-    missedPlants: null,
+    missedPlants: checkClaims(points.soles, points.contacts, ground, frames, 60, leg).missed,
   };
+}
+
+/**
+ * Jerk over the motion's steady part: where the hips keep going, else, in a motion that stands, all of it.
+ *
+ * Standing between walks would halve the mean speed that real jerk is looked up at, and starts and stops are not steady.
+ */
+function steadyJerk(points: MotionPoints, pace: MotionPace, leg: number): number | null {
+  const { frames, joints } = points;
+  const going = steadyFrames(pace, 60);
+  let speed = 0;
+  let count = 0;
+  for (let f = 0; f < frames; f++) {
+    if (!going[f]) continue;
+    speed += pace.speeds[f];
+    count++;
+  }
+  if (count < 60) return jerkRatio(joints, frames, 60, leg, "stand", 0);
+  const kind = pace.kind === "stand" || pace.kind === "all" ? "walk" : pace.kind;
+  return jerkRatio(joints, frames, 60, leg, kind, speed / count, (f) => going[f] === 1);
+}
+
+/** Height of the ground under left and right foot: of the footstep it stands on or, past the middle of a swing, goes to. */
+function groundUnder(plan: Plan, frames: number): [Float64Array, Float64Array] {
+  const out: [Float64Array, Float64Array] = [new Float64Array(frames), new Float64Array(frames)];
+  plan.start.forEach((s, side) => {
+    out[side].fill(s.y);
+  });
+  for (const s of [...plan.steps].sort((a, b) => a.land - b.land))
+    out[s.foot === "left" ? 0 : 1].fill(s.y, Math.max(0, Math.round(30 * (s.lift + s.land))));
+  return out;
 }
 
 function runs(frames: number, on: (f: number) => boolean): [number, number][] {
@@ -214,7 +272,11 @@ function reachOf(
 }
 
 /** Planned against executed footsteps: place (mm) of the ankle over flat soles, and nothing is taken off. */
-function footstepErrorOf(points: MotionPoints, plan: Plan): QualityFigures["footstepError"] {
+function footstepErrorOf(
+  points: MotionPoints,
+  plan: Plan,
+  ground: readonly [Float64Array, Float64Array],
+): QualityFigures["footstepError"] {
   let place = 0;
   let yaw = 0;
   let judged = 0;
@@ -226,47 +288,26 @@ function footstepErrorOf(points: MotionPoints, plan: Plan): QualityFigures["foot
       points.frames - 1,
       Math.round((next >= 0 ? plan.steps[next].lift : plan.duration) * 60),
     );
+    // Where both ends are claimed and the foot lies flattest: heel point and ball at one height.
+    let best = -1;
+    let least = 2e-4;
     for (let f = Math.round(s.land * 60); f < until; f++) {
       if (((points.contacts[f] >> (2 * side)) & 3) !== 3) continue;
-      const o = 3 * (JOINT_COUNT * f + joint);
-      const toe = o + 3;
-      // Flat: heel point and ball at one height.
-      if (Math.abs(points.soles[(2 * f + side) * ROW + 1]) > 2e-4) continue;
-      place = Math.max(place, 1000 * Math.hypot(points.joints[o] - s.x, points.joints[o + 2] - s.z));
-      const heading = Math.atan2(
-        points.joints[toe] - points.joints[o],
-        points.joints[toe + 2] - points.joints[o + 2],
-      );
-      yaw = Math.max(
-        yaw,
-        Math.abs(Math.atan2(Math.sin(heading - s.yaw), Math.cos(heading - s.yaw))) * (180 / Math.PI),
-      );
-      judged++;
-      break;
-    }
-  });
-  return judged > 0 ? { position: place, yaw } : null;
-}
-
-/** Frames in which a knee bends backwards by more than 3 degrees. */
-function kneesInverted(points: MotionPoints): number {
-  let count = 0;
-  for (let f = 0; f < points.frames; f++) {
-    for (const upper of [J.leftUpperLeg, J.rightUpperLeg]) {
-      const j = (joint: number, k: number) => points.joints[3 * (JOINT_COUNT * f + joint) + k];
-      const side = upper === J.leftUpperLeg ? 0 : 1;
-      // Forward by the foot.
-      const fx = points.soles[(2 * f + side) * ROW + 3] - points.soles[(2 * f + side) * ROW];
-      const fz = points.soles[(2 * f + side) * ROW + 5] - points.soles[(2 * f + side) * ROW + 2];
-      const n = Math.hypot(fx, fz);
-      if (n < 0.05) continue;
-      const line = [0, 1, 2].map((k) => (j(upper, k) + j(upper + 2, k)) / 2);
-      const ahead = ((j(upper + 1, 0) - line[0]) * fx + (j(upper + 1, 2) - line[2]) * fz) / n;
-      if (ahead < -0.04) {
-        count++;
-        break;
+      const heel = Math.abs(points.soles[(2 * f + side) * ROW + 1] - ground[side][f]);
+      if (heel < least) {
+        least = heel;
+        best = f;
       }
     }
-  }
-  return count;
+    if (best < 0) return;
+    const o = 3 * (JOINT_COUNT * best + joint);
+    place = Math.max(place, 1000 * Math.hypot(points.joints[o] - s.x, points.joints[o + 2] - s.z));
+    const heading = Math.atan2(
+      points.joints[o + 3] - points.joints[o],
+      points.joints[o + 5] - points.joints[o + 2],
+    );
+    yaw = Math.max(yaw, Math.abs(wrapAngle(heading - s.yaw)) * (180 / Math.PI));
+    judged++;
+  });
+  return judged > 0 ? { position: place, yaw } : null;
 }

@@ -4,6 +4,7 @@ import { MASSES } from "./masses.ts";
 
 const G = 9.81;
 const ROW = 3 * MASSES.length;
+const TOTAL = MASSES.reduce((sum, [share]) => sum + share, 0);
 
 /**
  * Zero-moment point on the ground of each frame, x, z by turns.
@@ -12,12 +13,14 @@ const ROW = 3 * MASSES.length;
  * @param rate frames a second.
  * @param spread frames to each side over which acceleration is taken: a parabola through three points, so 3 at 60 Hz
  *   leaves what is under about 6 Hz.
+ * @param load where wanted, filled with each frame's vertical force over the body's weight: 1 standing, 0 falling freely.
  */
 export function zeroMomentPoint(
   joints: Float64Array,
   frames: number,
   rate: number,
   spread: number,
+  load: Float64Array | null = null,
 ): Float64Array {
   const at = new Float64Array(ROW * frames);
   for (let f = 0; f < frames; f++) {
@@ -47,6 +50,7 @@ export function zeroMomentPoint(
       nx += g * at[here] - pull * (at[o + reach] - 2 * at[o] + at[o - reach]);
       nz += g * at[here + 2] - pull * (at[o + reach + 2] - 2 * at[o + 2] + at[o - reach + 2]);
     }
+    if (load) load[f] = weight / (TOTAL * G);
     out[2 * f] = nx / weight;
     out[2 * f + 1] = nz / weight;
   }
