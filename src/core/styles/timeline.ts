@@ -76,7 +76,8 @@ export function scaleAlong(path: MotionPath): Float64Array {
   const raw = path.curvature.map((k) => strideScale(k));
   const least = raw.map((_, i) => {
     let m = 1;
-    for (let k = Math.max(0, i - reach); k <= Math.min(raw.length - 1, i + reach); k++) m = Math.min(m, raw[k]);
+    for (let k = Math.max(0, i - reach); k <= Math.min(raw.length - 1, i + reach); k++)
+      m = Math.min(m, raw[k]);
     return m;
   });
   return soften(least, 0.15 / path.step);
