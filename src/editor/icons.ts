@@ -7,6 +7,12 @@ const icon = (body: TemplateResult): TemplateResult =>
 
 export const ICONS = {
   select: icon(svg`<path d="M4 3l9.5 4.6-4 1.5-1.6 4.2z" />`),
+  task: icon(
+    svg`<circle cx="6.500" cy="9" r="4" /><path d="M6.500 8.900v.2M13.500 6.200L17 9l-3.500 2.800z" fill="currentColor" />`,
+  ),
+  snap: icon(
+    svg`<path d="M4.500 15V9a4.500 4.500 0 019 0v6h-3V9a1.500 1.500 0 00-3 0v6zM4.500 12h3M10.500 12h3" />`,
+  ),
   path: icon(
     svg`<path d="M4 15c0-5 9-3 9-8 0-2-1.600-3-3.500-3" /><circle cx="4" cy="15" r="1.200" /><circle cx="9" cy="4" r="1.200" />`,
   ),

@@ -1,39 +1,51 @@
-/** Keys of the whole page; those of a marker are the marker's own. */
-import { TASK_CATEGORIES } from "../core/scene/task-types.ts";
+/** Keys of the whole page: one list that the page obeys and the help sheet shows. */
 import type { Editor } from "./editor.ts";
 
-/** Handles a key; fields keep theirs. */
+export interface KeyBinding {
+  /** "Space", ",", "Delete", "Ctrl+Z", "Shift+R", "?"; several may do the same. Empty: shown in the sheet, handled elsewhere. */
+  keys: readonly string[];
+  /** As the sheet shows it, where that differs: "arrows". */
+  shown?: string;
+  label: string;
+  group: "Tools" | "Selected" | "Time" | "Scene";
+  when?(e: Editor): boolean;
+  run?(e: Editor): void;
+}
+
+/** "Ctrl+Shift+Z" of an event; Command counts as Ctrl, Shift only with letters and named keys. */
+export function chord(ev: KeyboardEvent): string {
+  const key = ev.key === " " ? "Space" : ev.key.length === 1 ? ev.key.toUpperCase() : ev.key;
+  const shift = ev.shiftKey && (key.length > 1 || /[A-Z]/.test(key));
+  return `${ev.ctrlKey || ev.metaKey ? "Ctrl+" : ""}${ev.altKey ? "Alt+" : ""}${shift ? "Shift+" : ""}${key}`;
+}
+
+/** Every key, those of the tools first. */
+export function allKeys(e: Editor): readonly KeyBinding[] {
+  const tools: KeyBinding[] = e.registry.tools.flatMap((t) => [
+    { keys: [t.key], label: t.label, group: "Tools" as const, run: (x: Editor) => x.tools.use(t.id) },
+    ...(t.choices ?? []).map((c) => ({
+      keys: [c.key],
+      label: `${t.label}: ${c.label.toLowerCase()}`,
+      group: "Tools" as const,
+      run: (x: Editor) => x.tools.use(t.id, c.id),
+    })),
+  ]);
+  return [...tools, ...e.registry.keys];
+}
+
+/** Handles a key of the page; fields, menus and dialogs keep theirs. */
 export function pageKey(e: Editor, ev: KeyboardEvent): void {
   const target = ev.target as HTMLElement;
-  if (target.closest("input, select, textarea, dialog")) return;
-  const key = ev.key.toLowerCase();
-  const control = ev.ctrlKey || ev.metaKey;
-  const act = (f: () => void) => {
+  if (target.closest("input, select, textarea, dialog") || ev.defaultPrevented) return;
+  const pressed = chord(ev);
+  // A control that has the focus keeps its space bar; handles over the stage do not need it.
+  if (pressed === "Space" && target.closest("button:not(.marker), [role=button], [role=slider]")) return;
+  if (e.tools.current.keydown?.(e, ev)) {
     ev.preventDefault();
-    f();
-  };
-  if (control) {
-    if (key === "z") act(() => (ev.shiftKey ? e.redo() : e.undo()));
-    else if (key === "y") act(() => e.redo());
-    else if (key === "d") act(() => e.duplicate());
-    else if (key === "s") act(() => e.exportScene());
-    else if (key === "o") act(() => e.openFile());
     return;
   }
-  if (key === " ") {
-    // A button that has the focus keeps its space bar; markers do not need it.
-    if (target.closest("button:not(.marker), [role=button]")) return;
-    act(() => e.togglePlay());
-  } else if (key === ",") e.stepFrame(-1);
-  else if (key === ".") e.stepFrame(1);
-  else if (key === "delete" || key === "backspace") act(() => e.remove());
-  else if (key === "v") e.setTool("select");
-  else if (key === "l") e.setTool("path");
-  else if (key === "f") e.frameScene();
-  else if (key === "p") e.setColouring(e.store.getState().colouring === "phase" ? "category" : "phase");
-  else if (key === "?") e.setHelp(true);
-  else if (key === "escape") {
-    e.setTool("select");
-    e.setMenu("none");
-  } else if (/^[1-6]$/.test(key)) e.setTool(TASK_CATEGORIES[Number(key) - 1]);
+  const binding = allKeys(e).find((b) => b.keys.includes(pressed) && b.run && b.when?.(e) !== false);
+  if (!binding) return;
+  ev.preventDefault();
+  binding.run?.(e);
 }

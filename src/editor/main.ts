@@ -1,8 +1,9 @@
 /** The editor page. */
 import { defaultScene } from "../core/scene/default-scene.ts";
-import { Editor, type LogEntry } from "./editor.ts";
+import { Editor } from "./editor.ts";
 import { pageKey } from "./keys.ts";
-import { loadScene } from "./storage.ts";
+import type { LogEntry } from "./session/plan-session.ts";
+import { loadScene } from "./session/storage.ts";
 
 declare global {
   interface Window {
@@ -50,27 +51,21 @@ async function start(): Promise<void> {
     return;
   }
   window.addEventListener("keydown", (ev) => pageKey(editor, ev));
-  window.addEventListener("dragover", (ev) => ev.preventDefault());
-  window.addEventListener("drop", (ev) => {
-    ev.preventDefault();
-    const file = ev.dataTransfer?.files[0];
-    if (file) void editor.openText(file);
-  });
   window.stepwright = {
-    log: () => editor.log,
+    log: () => editor.plan.log,
     state: () => editor.store.getState(),
-    frames: () =>
-      editor.motion.current
-        ? { current: editor.motion.current.frames, filled: editor.motion.current.filled }
-        : null,
+    frames: () => {
+      const m = editor.plan.motion.current;
+      return m ? { current: m.frames, filled: m.filled } : null;
+    },
     feetAt: (frame) => {
-      const m = editor.motion.current;
+      const m = editor.plan.motion.current;
       return m && frame < m.filled
         ? { root: [...m.root.subarray(3 * frame, 3 * frame + 3)], contacts: m.contacts[frame] }
         : null;
     },
-    seek: (time) => editor.seek(time),
-    restartPlanner: () => editor.restartPlanner(),
+    seek: (time) => editor.playback.seek(time),
+    restartPlanner: () => editor.plan.restart(),
   };
 }
 

@@ -1,20 +1,21 @@
-/** The editor's state: one store; the scene itself lives in its history. */
+/** The editor's state: one store; the scene itself lives in its history. A feature's own state is kept by the feature. */
 import { createStore } from "zustand/vanilla";
 import type { QualityFigures } from "../core/motion/types.ts";
-import type { TaskCategory } from "../core/scene/task-types.ts";
 import type { Scene } from "../core/scene/types.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
 import type { FootprintMode } from "../view/footprints.ts";
 import type { Theme } from "../view/tokens.ts";
-
-export type Tool = "select" | "path" | TaskCategory;
+import type { Ref } from "./selection.ts";
 
 export interface EditorState {
   scene: Scene;
-  selected: string | null;
-  tool: Tool;
+  selection: readonly Ref[];
+  /** Id of the tool at hand, and of its choice ("write" of the task tool) where it has choices. */
+  tool: string;
+  choice: string | null;
   theme: Theme;
-  tab: "scene" | "task" | "plan";
+  /** Id of the panel's tab. */
+  tab: string;
   plan: Plan | null;
   planMs: number;
   quality: QualityFigures | null;
@@ -27,12 +28,15 @@ export interface EditorState {
   colouring: FootprintMode;
   /** The plan as templates laid it, before the optimiser. */
   showBefore: boolean;
+  /** Places at 5 cm, turns at 15 degrees. */
+  snap: boolean;
   canUndo: boolean;
   canRedo: boolean;
   saved: "saved" | "saving" | "off";
-  menu: "none" | "scenes" | "export";
+  /** Id of the menu that is open. */
+  menu: string | null;
   help: boolean;
-  toast: { text: string; undo: boolean } | null;
+  toast: { text: string; undo: boolean; warns: boolean } | null;
   status: string | null;
   hoverStep: number;
   error: string | null;
@@ -43,8 +47,9 @@ export type Store = ReturnType<typeof createEditorStore>;
 export function createEditorStore(scene: Scene, theme: Theme) {
   return createStore<EditorState>(() => ({
     scene,
-    selected: null,
+    selection: [],
     tool: "select",
+    choice: null,
     theme,
     tab: "scene",
     plan: null,
@@ -57,10 +62,11 @@ export function createEditorStore(scene: Scene, theme: Theme) {
     speed: 1,
     colouring: "category",
     showBefore: false,
+    snap: true,
     canUndo: false,
     canRedo: false,
     saved: "saved",
-    menu: "none",
+    menu: null,
     help: false,
     toast: null,
     status: "Loading captures",

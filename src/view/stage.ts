@@ -97,8 +97,8 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Furniture of a scene and the rings under its tasks. */
-  setScene(scene: Scene, selected: string | null): void {
+  /** Furniture of a scene and the rings under its tasks; `selected` names tasks. */
+  setScene(scene: Scene, selected: readonly string[]): void {
     this.paths.set(scene.paths);
     this.props.clear();
     const lifted = scene.tasks.filter((t) => t.category === "lift");
@@ -159,7 +159,7 @@ export class Stage {
             (_, i) => new Vector3(0.3 * Math.sin((i * Math.PI) / 32), 0, 0.3 * Math.cos((i * Math.PI) / 32)),
           ),
         ),
-        new LineBasicMaterial({ color: ink, transparent: true, opacity: t.id === selected ? 1 : 0.45 }),
+        new LineBasicMaterial({ color: ink, transparent: true, opacity: selected.includes(t.id) ? 1 : 0.45 }),
       );
       ring.position.set(t.position[0], 0.006, t.position[2]);
       this.taskMarks.add(stem, ring);
@@ -244,7 +244,19 @@ export class Stage {
     return { x: ((v.x + 1) / 2) * this.size.width, y: ((1 - v.y) / 2) * this.size.height, visible: v.z < 1 };
   }
 
-  private ray(x: number, y: number): Raycaster {
+  /** Adds something of a feature's own to what is drawn. */
+  add(object: Object3D): void {
+    this.scene.add(object);
+    this.invalidate();
+  }
+
+  remove(object: Object3D): void {
+    this.scene.remove(object);
+    this.invalidate();
+  }
+
+  /** The ray through a canvas point, CSS pixels. */
+  ray(x: number, y: number): Raycaster {
     const r = new Raycaster();
     r.setFromCamera(new Vector2((x / this.size.width) * 2 - 1, 1 - (y / this.size.height) * 2), this.camera);
     return r;
@@ -256,10 +268,9 @@ export class Stage {
     return hit && hit.distanceTo(this.camera.position) < 40 ? [hit.x, hit.z] : null;
   }
 
-  /** Index of the footprint under a canvas point; -1 for none. */
-  pickFootprint(x: number, y: number): number {
-    const hits = this.ray(x, y).intersectObject(this.footprints.fill, false);
-    return hits[0]?.instanceId ?? -1;
+  /** Index of the footprint that a ray meets first; -1 for none. */
+  footprintOn(ray: Raycaster): number {
+    return ray.intersectObject(this.footprints.fill, false)[0]?.instanceId ?? -1;
   }
 
   setOrbit(enabled: boolean): void {
@@ -304,6 +315,18 @@ export class Stage {
     );
     this.camera.updateProjectionMatrix();
     this.invalidate();
+  }
+
+  /** What is drawn, as a PNG. @throws Error when the browser gives none. */
+  picture(): Promise<Blob> {
+    // Drawn and read in the same turn: the buffer is not kept afterwards.
+    this.renderer.render(this.scene, this.camera);
+    return new Promise((resolve, reject) => {
+      this.canvas.toBlob((blob) => {
+        if (blob) resolve(blob);
+        else reject(new Error("the browser gave no picture."));
+      }, "image/png");
+    });
   }
 
   /** Asks for a frame. */

@@ -97,6 +97,7 @@ test("the same with the keyboard, undo and redo", async ({ page }) => {
 
 test("tasks are added, duplicated and deleted; a reload brings them back", async ({ page }) => {
   await open(page);
+  await page.getByRole("button", { name: "Task", exact: true }).click();
   await page.getByRole("button", { name: "Add: Turn around" }).click();
   // A place on the floor that nothing lies over.
   const spot = await page.evaluate(() => {

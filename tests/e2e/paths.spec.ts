@@ -15,7 +15,7 @@ test("a path drawn freehand is followed; styles painted along it; undo takes it 
   await page.goto("/");
   await finished(page, 1);
   await page.getByRole("button", { name: "Pause" }).click();
-  await page.getByRole("button", { name: "Draw a path" }).click();
+  await page.getByRole("button", { name: "Path", exact: true }).click();
   const box = (await page.locator("canvas").first().boundingBox())!;
   const at = (u: number, v: number): [number, number] => [box.x + u * box.width, box.y + v * box.height];
   await page.mouse.move(...at(0.25, 0.72));

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { defaultScene } from "../../src/core/scene/default-scene.ts";
-import { PlannerClient } from "../../src/editor/planner-client.ts";
+import { PlannerClient } from "../../src/editor/session/planner-client.ts";
 import type { PlannerRequest, PlannerResponse } from "../../src/workers/protocol.ts";
 
 /** A worker whose life the test decides. */

@@ -4,7 +4,7 @@ import { defaultScene } from "../../src/core/scene/default-scene.ts";
 /** What the database does next. */
 let openNext: () => Promise<unknown> = () => Promise.reject(new Error("closed"));
 vi.mock("idb", () => ({ openDB: () => openNext() }));
-const { loadScene, saveScene } = await import("../../src/editor/storage.ts");
+const { loadScene, saveScene } = await import("../../src/editor/session/storage.ts");
 
 const kept = new Map<string, unknown>();
 const working = () =>
@@ -39,7 +39,7 @@ describe("storage that fails", () => {
     vi.spyOn(console, "warn").mockReturnValue();
     // A module of its own: nothing is open yet.
     vi.resetModules();
-    const fresh = await import("../../src/editor/storage.ts");
+    const fresh = await import("../../src/editor/session/storage.ts");
     vi.useFakeTimers();
     openNext = () => new Promise(() => undefined);
     const saved = fresh.saveScene(defaultScene());

@@ -1,28 +1,9 @@
-/** The help sheet: every key, with a search field. */
-import { html, render } from "lit";
+/** The help sheet: every key of the page, read from the list that the page obeys, with a search field. */
+import { html, nothing, render } from "lit";
 import type { Editor } from "../editor.ts";
+import { allKeys } from "../keys.ts";
 
-export const KEYS: readonly (readonly [string, string])[] = [
-  ["Play or pause", "Space"],
-  ["Frame back, ahead", ", ."],
-  ["Select tool", "V"],
-  ["Draw a path", "L"],
-  ["Add: write, lift, place", "1 2 3"],
-  ["Add: sit, stand, turn", "4 5 6"],
-  ["Next, previous task", "Tab, Shift Tab"],
-  ["Move the task 5 cm", "arrows"],
-  ["... 1 cm, 25 cm", "Alt, Shift"],
-  ["Turn by 15°, back", "R, Shift R"],
-  ["Duplicate", "Ctrl D"],
-  ["Delete", "Delete"],
-  ["Undo, redo", "Ctrl Z, Ctrl Y"],
-  ["Give a drag up", "Escape"],
-  ["Frame the scene", "F"],
-  ["Open a scene file", "Ctrl O"],
-  ["Save the scene file", "Ctrl S"],
-  ["Colours: category, phase", "P"],
-  ["This sheet", "?"],
-];
+const GROUPS = ["Tools", "Selected", "Time", "Scene"] as const;
 
 let dialog: HTMLDialogElement | null = null;
 let search = "";
@@ -34,7 +15,7 @@ export function helpSheet(e: Editor): void {
   if (!dialog) {
     dialog = document.createElement("dialog");
     dialog.setAttribute("aria-label", "Keys and help");
-    dialog.addEventListener("close", () => e.setHelp(false));
+    dialog.addEventListener("close", () => e.set({ help: false }));
     dialog.addEventListener("click", (ev) => {
       if (ev.target === dialog) dialog?.close();
     });
@@ -42,7 +23,9 @@ export function helpSheet(e: Editor): void {
   }
   const sheet = dialog;
   const draw = () => {
-    const rows = KEYS.filter(([what, key]) => `${what} ${key}`.toLowerCase().includes(search.toLowerCase()));
+    const rows = allKeys(e)
+      .map((b) => ({ ...b, text: b.shown ?? b.keys.map((k) => k.replaceAll("+", " ")).join(", ") }))
+      .filter((b) => `${b.label} ${b.text}`.toLowerCase().includes(search.toLowerCase()));
     render(
       html`<div class="help">
         <h2>Keys</h2>
@@ -52,7 +35,12 @@ export function helpSheet(e: Editor): void {
           search = (ev.target as HTMLInputElement).value;
           draw();
         }} /></label>
-        <dl>${rows.map(([what, key]) => html`<div><dt>${what}</dt><dd class="kbd">${key}</dd></div>`)}</dl>
+        <div class="groups">${GROUPS.map((group) => {
+          const mine = rows.filter((r) => r.group === group);
+          return mine.length === 0
+            ? nothing
+            : html`<section><h3>${group}</h3><dl>${mine.map((r) => html`<div><dt>${r.label}</dt><dd class="kbd">${r.text}</dd></div>`)}</dl></section>`;
+        })}</div>
         <p class="note">Drag a task: the footsteps change as it moves, and the character follows the new plan from the step it is in.</p>
       </div>`,
       sheet,

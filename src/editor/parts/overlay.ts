@@ -18,6 +18,6 @@ export function overlayChips(e: Editor): TemplateResult {
         : html`<div class="chip legend"><span><i class="swatch" style="background: #474d55"></i>Exit</span><span><i class="swatch" style="background: #a3a8ae"></i>Locomotion</span><span><i class="swatch" style="background: #16191d"></i>Enter</span></div>`
     }
     ${s.status ? html`<div class="chip loading" role="status">${s.status}</div>` : nothing}
-    ${s.toast ? html`<div class="toast" role="status">${s.toast.text} ${s.toast.undo ? html`<button @click=${() => e.undo()}>Undo</button>` : nothing}</div>` : nothing}
+    ${s.toast ? html`<div class="toast" role="status">${s.toast.text} ${s.toast.undo ? html`<button @click=${() => e.scene.undo()}>Undo</button>` : nothing}</div>` : nothing}
   `;
 }

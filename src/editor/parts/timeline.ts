@@ -1,10 +1,10 @@
-/** Transport and strips under the viewport. */
+/** Transport, and under it the ruler with the lanes that the features registered. */
 import { html, type TemplateResult } from "lit";
 import { unsafeSVG } from "lit/directives/unsafe-svg.js";
-import { stripScale, timelineStrip } from "../../plots/timeline-strip.ts";
-import { CATEGORY_COLOURS, CATEGORY_WORDS } from "../../view/tokens.ts";
+import { playheadSvg, RULER, rulerSvg, stripScale } from "../../plots/timeline-strip.ts";
 import type { Editor } from "../editor.ts";
-import { ICONS, TASK_WORDS } from "../icons.ts";
+import { ICONS } from "../icons.ts";
+import type { Lane, LaneFrame } from "../lanes/lane.ts";
 
 const SPEEDS: [number, string][] = [
   [0.25, "¼"],
@@ -17,85 +17,101 @@ const clock = (t: number): string => t.toFixed(2).padStart(5, "0");
 
 export function timeline(e: Editor): TemplateResult {
   const s = e.store.getState();
-  const duration = e.duration();
   return html`
     <div class="transport">
-      <button class="play" aria-label=${s.playing ? "Pause" : "Play"} title="Space" @click=${() => e.togglePlay()}>${s.playing ? ICONS.pause : ICONS.play}</button>
-      <button class="icon" aria-label="Frame back" @click=${() => e.stepFrame(-1)}>${ICONS.back}</button>
-      <button class="icon" aria-label="Frame ahead" @click=${() => e.stepFrame(1)}>${ICONS.ahead}</button>
-      <button class="icon" aria-label="Loop" aria-pressed=${s.loop} @click=${() => e.toggleLoop()}>${ICONS.loop}</button>
-      <span class="clock">${clock(s.time)} <span>/ ${clock(duration)} s</span></span>
-      <div class="segments" role="group" aria-label="Speed">${SPEEDS.map(([v, label]) => html`<button aria-pressed=${s.speed === v} @click=${() => e.setSpeed(v)}>${label}</button>`)}</div>
-      <span style="flex: 1"></span>
-      <button class="icon" aria-label="Frame the scene" title="Frame the scene (F)" @click=${() => e.frameScene()}>${ICONS.frame}</button>
+      <button class="play" aria-label=${s.playing ? "Pause" : "Play"} title="Space" @click=${() => e.playback.toggle()}>${s.playing ? ICONS.pause : ICONS.play}</button>
+      <button class="icon" aria-label="Frame back" @click=${() => e.playback.stepFrame(-1)}>${ICONS.back}</button>
+      <button class="icon" aria-label="Frame ahead" @click=${() => e.playback.stepFrame(1)}>${ICONS.ahead}</button>
+      <button class="icon" aria-label="Loop" aria-pressed=${s.loop} @click=${() => e.playback.toggleLoop()}>${ICONS.loop}</button>
+      <span class="clock">${clock(s.time)} <span>/ ${clock(e.plan.duration)} s</span></span>
+      <div class="segments" role="group" aria-label="Speed">${SPEEDS.map(([v, label]) => html`<button aria-pressed=${s.speed === v} @click=${() => e.playback.setSpeed(v)}>${label}</button>`)}</div>
+      <span class="space"></span>
+      <span class="quiet">${s.snap ? "Snap 5 cm" : ""}</span>
+      <button class="icon" aria-label="Fit the view" title="Fit the view (F)" @click=${() => e.frameScene()}>${ICONS.frame}</button>
     </div>
-    <div class="tracks" @pointerdown=${(ev: PointerEvent) => scrub(e, ev)} @pointermove=${(ev: PointerEvent) => hover(e, ev)} @pointerleave=${() => e.hoverStep(-1)} @keydown=${(ev: KeyboardEvent) => key(e, ev)}>
-      ${unsafeSVG(strip(e, duration))}
+    <div class="tracks" @pointerdown=${(ev: PointerEvent) => down(e, ev)} @pointermove=${(ev: PointerEvent) => hover(e, ev)} @pointerleave=${() => leave(e)} @keydown=${(ev: KeyboardEvent) => key(e, ev)}>
+      ${unsafeSVG(tracks(e))}
     </div>
   `;
 }
 
-function strip(e: Editor, duration: number): string {
-  const s = e.store.getState();
-  const { width, height } = e.tracksSize;
-  const motion = e.motion.current;
-  return timelineStrip(
-    {
-      duration,
-      time: s.time,
-      contacts: motion ? motion.contacts.subarray(0, motion.filled) : new Uint8Array(0),
-      steps: (s.plan?.steps ?? []).map((p, index) => ({
-        foot: p.foot,
-        category: p.category,
-        lift: p.lift,
-        land: p.land,
-        index,
-      })),
-      tasks: (s.plan?.tasks ?? []).map((t) => {
-        const task = s.scene.tasks.find((x) => x.id === t.id);
-        return {
-          id: t.id,
-          word: task ? TASK_WORDS[task.category].split(" ")[0] : t.id,
-          contact: t.contact,
-          end: t.end,
-          selected: t.id === s.selected,
-        };
-      }),
-      colours: CATEGORY_COLOURS,
-      words: CATEGORY_WORDS,
-      hover: s.hoverStep,
-    },
-    width,
-    height,
-  );
+interface Placed {
+  lane: Lane;
+  top: number;
+  frame: LaneFrame;
 }
 
-function scrub(e: Editor, ev: PointerEvent): void {
-  const target = (ev.target as Element).closest("[data-task]");
-  if (target) {
-    e.select(target.getAttribute("data-task"), true);
+/** The lanes with their places: what they wish for, less an even share of what is missing. */
+export function placedLanes(e: Editor): Placed[] {
+  const { width, height } = e.tracksSize;
+  const scale = stripScale(e.plan.duration, width);
+  const lanes = e.registry.lanes.filter((l) => l.shown(e));
+  const wished = lanes.map((l) => l.height(e));
+  const all = wished.reduce((a, b) => a + b, 0);
+  const share = Math.min(1, Math.max(0.5, (height - RULER) / Math.max(1, all)));
+  let top = RULER;
+  return lanes.map((lane, i) => {
+    const frame: LaneFrame = {
+      width,
+      height: wished[i] * share,
+      x: (t) => scale(t),
+      seconds: (x) => scale.invert(x),
+    };
+    const placed = { lane, top, frame };
+    top += frame.height;
+    return placed;
+  });
+}
+
+function tracks(e: Editor): string {
+  const { time } = e.store.getState();
+  const { width, height } = e.tracksSize;
+  const scale = stripScale(e.plan.duration, width);
+  const lanes = placedLanes(e).map(
+    ({ lane, top, frame }) =>
+      `<g data-lane="${lane.id}" transform="translate(0 ${top.toFixed(1)})">${lane.draw(e, frame)}</g>`,
+  );
+  return `<svg width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="group" aria-label="Footsteps over time">${rulerSvg(e.plan.duration, scale, height)}${lanes.join("")}${playheadSvg(time, scale, height)}</svg>`;
+}
+
+function laneOf(e: Editor, target: EventTarget | null): Placed | null {
+  const id = (target as Element | null)?.closest("[data-lane]")?.getAttribute("data-lane");
+  return placedLanes(e).find((p) => p.lane.id === id) ?? null;
+}
+
+function down(e: Editor, ev: PointerEvent): void {
+  if (ev.button !== 0) return;
+  const placed = laneOf(e, ev.target);
+  const gesture = placed?.lane.down?.(e, ev.target as Element, placed.frame, ev);
+  if (gesture) {
+    e.tools.run(gesture, ev);
     return;
   }
-  const box = ev.currentTarget as HTMLElement;
-  const left = box.getBoundingClientRect().left;
-  const to = (x: number) => e.seek(stripScale(e.duration(), e.tracksSize.width).invert(x - left));
+  // Anywhere else scrubs.
+  const { left } = (ev.currentTarget as HTMLElement).getBoundingClientRect();
+  const to = (x: number) => e.playback.seek(stripScale(e.plan.duration, e.tracksSize.width).invert(x - left));
+  const before = e.store.getState().time;
   to(ev.clientX);
-  box.setPointerCapture(ev.pointerId);
-  const move = (m: PointerEvent) => to(m.clientX);
-  box.addEventListener("pointermove", move);
-  box.addEventListener("pointerup", () => box.removeEventListener("pointermove", move), { once: true });
-  box.addEventListener("pointercancel", () => box.removeEventListener("pointermove", move), { once: true });
+  e.tools.run({ plain: true, move: (p) => to(p.event.clientX), cancel: () => e.playback.seek(before) }, ev);
 }
 
+let over: Lane | null = null;
+
 function hover(e: Editor, ev: PointerEvent): void {
-  const step = (ev.target as Element).closest("[data-step]");
-  e.hoverStep(step ? Number(step.getAttribute("data-step")) : -1);
+  const lane = laneOf(e, ev.target)?.lane ?? null;
+  if (over && over !== lane) over.hover?.(e, null);
+  over = lane;
+  lane?.hover?.(e, ev.target as Element);
+}
+
+function leave(e: Editor): void {
+  over?.hover?.(e, null);
+  over = null;
 }
 
 function key(e: Editor, ev: KeyboardEvent): void {
-  const task = (ev.target as Element).closest("[data-task]");
-  if (task && (ev.key === "Enter" || ev.key === " ")) {
-    ev.preventDefault();
-    e.select(task.getAttribute("data-task"), true);
-  }
+  const lane = laneOf(e, ev.target)?.lane;
+  if (!lane?.keydown?.(e, ev.target as Element, ev)) return;
+  ev.preventDefault();
+  ev.stopPropagation();
 }

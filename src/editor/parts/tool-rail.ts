@@ -1,20 +1,24 @@
-/** Tools at the viewport's left: select, a path, and one a task category to put down. */
-import { html, type TemplateResult } from "lit";
-import { TASK_CATEGORIES } from "../../core/scene/task-types.ts";
+/** Tools at the viewport's left: what the features registered, the choices of the one at hand, then snap. */
+import { html, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../editor.ts";
-import { ICONS, TASK_ICONS, TASK_WORDS } from "../icons.ts";
-
-const KEYS = { write: "1", lift: "2", place: "3", sit: "4", stand: "5", turn: "6" } as const;
+import { ICONS } from "../icons.ts";
 
 export function toolRail(e: Editor): TemplateResult {
   const s = e.store.getState();
+  const { current } = e.tools;
   return html`<div class="rail" role="toolbar" aria-orientation="vertical" aria-label="Tools">
-    <button aria-label="Select" data-tip="Select  V" aria-pressed=${s.tool === "select"} @click=${() => e.setTool("select")}>${ICONS.select}</button>
-    <button aria-label="Draw a path" data-tip="Draw a path  L" aria-pressed=${s.tool === "path"} @click=${() => e.setTool(s.tool === "path" ? "select" : "path")}>${ICONS.path}</button>
-    <hr />
-    ${TASK_CATEGORIES.map(
-      (c) =>
-        html`<button aria-label="Add: ${TASK_WORDS[c]}" data-tip="Add: ${TASK_WORDS[c].toLowerCase()}  ${KEYS[c]}" aria-pressed=${s.tool === c} @click=${() => e.setTool(s.tool === c ? "select" : c)}>${TASK_ICONS[c]}</button>`,
+    ${e.tools.all.map(
+      (t) =>
+        html`<button aria-label=${t.label} data-tip="${t.label}  ${t.key}" aria-pressed=${t === current} @click=${() => e.tools.use(t === current ? "select" : t.id)}>${t.icon}<span class="word">${t.label}</span></button>`,
     )}
-  </div>`;
+    <hr />
+    <button aria-label="Snap to 5 cm and 15°" data-tip="Snap to 5 cm and 15°  X" aria-pressed=${s.snap} @click=${() => e.set({ snap: !s.snap })}>${ICONS.snap}<span class="word">Snap</span></button>
+  </div>
+  ${
+    current.choices
+      ? html`<div class="rail choices" role="toolbar" aria-orientation="vertical" aria-label="${current.label}: which">
+        ${current.choices.map((c) => html`<button aria-label="Add: ${c.label}" data-tip="Add: ${c.label.toLowerCase()}  ${c.key}" aria-pressed=${c.id === s.choice} @click=${() => e.tools.use(current.id, c.id)}>${c.icon}</button>`)}
+      </div>`
+      : nothing
+  }`;
 }

@@ -1,6 +1,6 @@
 /** The frames that are played: an answer under way replaces the one before once it has what is shown. */
-import type { BoxTrack, InkStroke, MotionChunk } from "../core/motion/types.ts";
-import { JOINT_COUNT } from "../core/skeleton/joints.ts";
+import type { BoxTrack, InkStroke, MotionChunk } from "../../core/motion/types.ts";
+import { JOINT_COUNT } from "../../core/skeleton/joints.ts";
 
 const Q = 4 * JOINT_COUNT;
 

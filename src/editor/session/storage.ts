@@ -1,7 +1,7 @@
 /** Autosave in the browser's own database; where that is closed, the page says so and goes on. */
 import { type IDBPDatabase, openDB } from "idb";
-import { parseScene } from "../core/scene/schema.ts";
-import type { Scene } from "../core/scene/types.ts";
+import { parseScene } from "../../core/scene/schema.ts";
+import type { Scene } from "../../core/scene/types.ts";
 
 const NAME = "stepwright";
 const STORE = "scenes";

@@ -1,8 +1,8 @@
 /**
  * The page's side of the planner worker: the newest scene wins, and a worker that dies is replaced.
  */
-import type { Scene } from "../core/scene/types.ts";
-import type { PlannerRequest, PlannerResponse } from "../workers/protocol.ts";
+import type { Scene } from "../../core/scene/types.ts";
+import type { PlannerRequest, PlannerResponse } from "../../workers/protocol.ts";
 
 export interface PlannerClientEvents {
   message(message: PlannerResponse): void;
@@ -24,7 +24,7 @@ export class PlannerClient {
     private readonly libraryUrl: string,
     private readonly events: PlannerClientEvents,
     private readonly create: () => Worker = () =>
-      new Worker(new URL("../workers/planner-worker.ts", import.meta.url), { type: "module" }),
+      new Worker(new URL("../../workers/planner-worker.ts", import.meta.url), { type: "module" }),
   ) {
     this.start();
   }

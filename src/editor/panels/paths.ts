@@ -4,6 +4,7 @@ import type { ScenePath } from "../../core/scene/types.ts";
 import { STYLES } from "../../studio/styles.ts";
 import { styleColour } from "../../view/tokens.ts";
 import type { Editor } from "../editor.ts";
+import { ref } from "../selection.ts";
 
 const PLAIN = "walking";
 
@@ -51,12 +52,15 @@ export function pathSection(e: Editor): TemplateResult | typeof nothing {
         )}
         <div class="row">
           <button @click=${() => {
-            const at = e.shareOfPath();
+            const at = e.plan.shareOfWay();
             const now = [...spans].reverse().find((x) => x.at <= at)?.style ?? PLAIN;
             const next = STYLES[(STYLES.indexOf(now as (typeof STYLES)[number]) + 1) % STYLES.length];
             paint([...spans, { at: Math.max(0.02, Math.min(0.98, at)), style: next }]);
           }}>Change style here</button>
-          <button @click=${() => e.removePath(path.id)}>Delete path</button>
+          <button @click=${() => {
+            e.scene.select([ref("path", path.id)]);
+            e.scene.remove();
+          }}>Delete path</button>
         </div>
       </div>`;
     })}

@@ -1,0 +1,65 @@
+/** The scene: every thing in it as a list, and the character's build. */
+import { html, nothing, type TemplateResult } from "lit";
+import type { Editor } from "../editor.ts";
+import { hasRef } from "../selection.ts";
+import type { ThingKind } from "../things/thing.ts";
+import type { PanelTab } from "./panel-tab.ts";
+import { pathSection } from "./paths.ts";
+
+export const sceneTab: PanelTab = {
+  id: "scene",
+  label: () => "Scene",
+  order: 0,
+  shown: () => true,
+  draw: (e) => html`${pathSection(e)}
+    ${e.registry.things.filter((k) => k.listed !== false).map((k) => things(e, k))}
+    ${character(e)}
+    ${warnings(e)}`,
+};
+
+function things(e: Editor, kind: ThingKind): TemplateResult | typeof nothing {
+  const { selection } = e.store.getState();
+  const list = kind.list(e);
+  if (list.length === 0 && kind.kind !== "task") return nothing;
+  return html`<section class="section">
+    <header><h3>${kind.title}</h3><span>${list.length}</span></header>
+    <div class="list">
+      ${list.map(
+        (t, i) =>
+          html`<button aria-current=${hasRef(selection, t.ref)} @click=${(ev: MouseEvent) => (ev.shiftKey ? e.scene.toggle(t.ref) : e.scene.select([t.ref]))}>${t.icon} ${i + 1}. ${t.label} <span class="quiet">${t.fact ?? ""}</span></button>`,
+      )}
+    </div>
+    ${list.length === 0 ? html`<p class="note">Nothing to do yet. Pick a task at the left and click on the floor.</p>` : nothing}
+  </section>`;
+}
+
+/** Height and legs; one entry of the history a slide. */
+function setBuild(e: Editor, height: number, leg: number, done: boolean): void {
+  e.scene.beginGesture();
+  e.edit((scene, c) => c.setCharacter(scene, height, leg));
+  if (done) e.scene.endGesture(true);
+}
+
+function character(e: Editor): TemplateResult {
+  const { height, proportions } = e.store.getState().scene.character;
+  const slider = (
+    label: string,
+    min: number,
+    max: number,
+    value: number,
+    set: (v: number, done: boolean) => void,
+  ) =>
+    html`<label class="row">${label} <input type="range" min=${min} max=${max} step="0.01" .value=${String(value)} @input=${(ev: Event) => set(Number((ev.target as HTMLInputElement).value), false)} @change=${(ev: Event) => set(Number((ev.target as HTMLInputElement).value), true)} /></label>`;
+  return html`<section class="section">
+    <header><h3>Character</h3><span>${height.toFixed(2)} m</span></header>
+    ${slider("Height", 1.5, 2, height, (v, done) => setBuild(e, v, proportions.leg, done))}
+    ${slider("Legs", 0.85, 1.15, proportions.leg, (v, done) => setBuild(e, height, v, done))}
+    <p class="note">Each build has templates of its own: a taller character side-steps where a shorter one turns.</p>
+  </section>`;
+}
+
+function warnings(e: Editor): TemplateResult | typeof nothing {
+  const list = e.store.getState().plan?.warnings ?? [];
+  if (list.length === 0) return nothing;
+  return html`<section class="section">${list.map((w) => html`<p class="error">${w}</p>`)}</section>`;
+}
