@@ -1,0 +1,186 @@
+/**
+ * One character's frame: blend, place, close the legs, matrices. Hot path: no allocation.
+ */
+import { quatMultiply } from "../math/quaternion.ts";
+import { contactsOfPitch } from "../motion/sole.ts";
+import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
+import { J, JOINT_COUNT } from "../skeleton/joints.ts";
+import {
+  ANKLE,
+  type Batch,
+  BLEND_FROM,
+  BLEND_TIME,
+  FOOT,
+  FOOT_STATE,
+  LAND,
+  LAST_SIDE,
+  LIFT,
+  NOW,
+  PHI,
+  PITCH,
+  POSE,
+  STATE,
+  STEPPING,
+  T1,
+} from "./batch.ts";
+import { footAt } from "./foot-track.ts";
+import { closeLeg, type Leg, legOf, sinkFor } from "./leg-ik.ts";
+import { HIPS_AT } from "./library.ts";
+import { rootAt } from "./root-track.ts";
+import { applyOffset, sampleBody } from "./sample.ts";
+
+/** Phase of the body's rows at time t: lift, landing and next lift are met [Barycentric §5, time warping]. */
+function bodyPhase(s: Float64Array, o: number, t: number): number {
+  const lift = s[o + LIFT];
+  const land = s[o + LAND];
+  const end = s[o + T1];
+  const phi = s[o + PHI];
+  // A run's landing comes after the next lift: one even pace.
+  if (land >= end - 0.02) return (t - lift) / Math.max(0.05, end - lift);
+  if (t < land) return (phi * (t - lift)) / (land - lift);
+  return phi + ((1 - phi) * (t - land)) / (end - land);
+}
+
+/** What is shown at time t before feet are placed: blended rotations and the hips' place in the root's frame. */
+export function shownBody(out: Float64Array, b: Batch, i: number, t: number): void {
+  const s = b.state;
+  const o = STATE * i;
+  if (s[o + STEPPING] === 1) sampleBody(out, b, 3 * i, s[o + LAST_SIDE], bodyPhase(s, o, t));
+  else {
+    const { stand } = b.library;
+    for (let k = 0; k < HIPS_AT + 3; k++) out[k] = stand[k];
+  }
+  const length = s[o + BLEND_TIME];
+  if (length > 0) {
+    const u = (t - s[o + BLEND_FROM]) / length;
+    if (u < 1) applyOffset(out, b, i, Math.max(u, 0), length);
+  }
+}
+
+const legs = new WeakMap<object, Leg>();
+const turn = new Float64Array(4);
+
+function legFor(b: Batch): Leg {
+  const key = b.library.skeleton;
+  let leg = legs.get(key);
+  if (!leg) {
+    leg = legOf(key);
+    legs.set(key, leg);
+  }
+  return leg;
+}
+
+/**
+ * Writes the frame at time t: root, rotations, contacts and, where wanted, matrices.
+ *
+ * @param landed side of a foot that came down since the frame before, -1 for none: its distance from the blend is noted.
+ */
+export function writePose(b: Batch, i: number, t: number, dt: number, landed: number): void {
+  const s = b.state;
+  const o = STATE * i;
+  const { pose, positions, world, v } = b.scratch;
+  const { skeleton } = b.library;
+  const offsets = skeleton.offsets;
+  const leg = legFor(b);
+  rootAt(s, o, t);
+  shownBody(pose, b, i, t);
+  const yaw = s[o + NOW + 2];
+  const c = Math.cos(yaw);
+  const n = Math.sin(yaw);
+  turn[1] = Math.sin(yaw / 2);
+  turn[3] = Math.cos(yaw / 2);
+  quatMultiply(pose, 0, turn, 0, pose, 0);
+  v[0] = s[o + NOW] + c * pose[HIPS_AT] + n * pose[HIPS_AT + 2];
+  v[1] = s[o + NOW + 3] + pose[HIPS_AT + 1];
+  v[2] = s[o + NOW + 1] - n * pose[HIPS_AT] + c * pose[HIPS_AT + 2];
+  forwardKinematics(positions, world, skeleton, v, 0, pose, 0);
+  let contacts = 0;
+  let sink = 0;
+  for (let side = 0; side < 2; side++) {
+    const f = o + FOOT + FOOT_STATE * side;
+    if (footAt(b, i, side, t, dt) === 1) contacts |= contactsOfPitch(s[f + PITCH]) << (2 * side);
+    const joint = 3 * (side === 0 ? J.leftUpperLeg : J.rightUpperLeg);
+    const need = sinkFor(
+      leg,
+      s[f + ANKLE] - positions[joint],
+      s[f + ANKLE + 1] - positions[joint + 1],
+      s[f + ANKLE + 2] - positions[joint + 2],
+    );
+    // A smooth largest of both.
+    sink = Math.sqrt(Math.sqrt(sink ** 4 + need ** 4));
+    if (side === landed) {
+      const ankle = joint + 6;
+      const dx = positions[ankle] - s[f + ANKLE];
+      const dz = positions[ankle + 2] - s[f + ANKLE + 2];
+      b.landingError[i] = Math.sqrt(dx * dx + dz * dz);
+    }
+  }
+  if (sink > 0) for (let j = 0; j < JOINT_COUNT; j++) positions[3 * j + 1] -= sink;
+  closeLeg(leg, offsets, pose, positions, world, J.leftUpperLeg, s, o + FOOT);
+  closeLeg(leg, offsets, pose, positions, world, J.rightUpperLeg, s, o + FOOT + FOOT_STATE);
+  b.root[3 * i] = positions[0];
+  b.root[3 * i + 1] = positions[1];
+  b.root[3 * i + 2] = positions[2];
+  const r = POSE * i;
+  for (let k = 0; k < POSE; k++) b.rotations[r + k] = pose[k];
+  b.contacts[i] = contacts;
+  if (b.options.matrices) writeMatrices(b, i);
+}
+
+/** World rotation and place of each joint times the inverse of its rest place: the rest pose has no rotations. */
+function writeMatrices(b: Batch, i: number): void {
+  const { positions, world } = b.scratch;
+  const m = b.matrices;
+  const rest = restOf(b);
+  let o = 16 * JOINT_COUNT * i;
+  for (let j = 0; j < JOINT_COUNT; j++, o += 16) {
+    const x = world[4 * j];
+    const y = world[4 * j + 1];
+    const z = world[4 * j + 2];
+    const w = world[4 * j + 3];
+    const xx = 1 - 2 * (y * y + z * z);
+    const xy = 2 * (x * y + w * z);
+    const xz = 2 * (x * z - w * y);
+    const yx = 2 * (x * y - w * z);
+    const yy = 1 - 2 * (x * x + z * z);
+    const yz = 2 * (y * z + w * x);
+    const zx = 2 * (x * z + w * y);
+    const zy = 2 * (y * z - w * x);
+    const zz = 1 - 2 * (x * x + y * y);
+    const rx = rest[3 * j];
+    const ry = rest[3 * j + 1];
+    const rz = rest[3 * j + 2];
+    m[o] = xx;
+    m[o + 1] = xy;
+    m[o + 2] = xz;
+    m[o + 3] = 0;
+    m[o + 4] = yx;
+    m[o + 5] = yy;
+    m[o + 6] = yz;
+    m[o + 7] = 0;
+    m[o + 8] = zx;
+    m[o + 9] = zy;
+    m[o + 10] = zz;
+    m[o + 11] = 0;
+    m[o + 12] = positions[3 * j] - (xx * rx + yx * ry + zx * rz);
+    m[o + 13] = positions[3 * j + 1] - (xy * rx + yy * ry + zy * rz);
+    m[o + 14] = positions[3 * j + 2] - (xz * rx + yz * ry + zz * rz);
+    m[o + 15] = 1;
+  }
+}
+
+const rests = new WeakMap<object, Float64Array>();
+
+/** Joints' places in the rest pose. */
+function restOf(b: Batch): Float64Array {
+  const { skeleton } = b.library;
+  let rest = rests.get(skeleton);
+  if (!rest) {
+    rest = new Float64Array(3 * JOINT_COUNT);
+    const still = new Float64Array(4 * JOINT_COUNT);
+    for (let j = 0; j < JOINT_COUNT; j++) still[4 * j + 3] = 1;
+    forwardKinematics(rest, new Float64Array(4 * JOINT_COUNT), skeleton, skeleton.offsets, 0, still, 0);
+    rests.set(skeleton, rest);
+  }
+  return rest;
+}
