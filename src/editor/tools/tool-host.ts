@@ -104,6 +104,9 @@ export class ToolHost {
       ev.stopPropagation();
       if (ev.key === "Escape") end(false);
     });
-    on("blur", () => end(false));
+    // The window's own: a button that loses the focus ends nothing.
+    on("blur", (ev) => {
+      if (ev.target === window) end(false);
+    });
   }
 }
