@@ -5,6 +5,7 @@
 import {
   BufferGeometry,
   Color,
+  DoubleSide,
   Float32BufferAttribute,
   Group,
   Mesh,
@@ -104,6 +105,7 @@ const material = (look: StyleLook): ShaderMaterial =>
     depthWrite: false,
     toneMapped: false,
     fog: false,
+    side: DoubleSide,
   });
 
 function ribbon(path: MotionPath, span: BandSpan): BufferGeometry {
@@ -134,6 +136,15 @@ export class PathBands {
   /** Called before each picture is drawn: for what is laid over the bands. */
   onDraw: () => void = () => undefined;
   private mark: Mesh | null = null;
+  /** One material a look, kept: a drag changes geometry many times a second and must not compile shaders anew. */
+  private readonly materials = new Map<string, ShaderMaterial>();
+
+  private materialOf(look: StyleLook): ShaderMaterial {
+    const key = `${look.colour} ${look.pattern}`;
+    const kept = this.materials.get(key) ?? material(look);
+    this.materials.set(key, kept);
+    return kept;
+  }
 
   /** Draws paths anew; one that is too short to follow is left out. */
   set(
@@ -143,8 +154,7 @@ export class PathBands {
     this.clear();
     for (const { curve, spans } of paths)
       for (const span of spans) {
-        const mesh = new Mesh(ribbon(curve, span), material(look(span.style)));
-        mesh.material.side = 2;
+        const mesh = new Mesh(ribbon(curve, span), this.materialOf(look(span.style)));
         mesh.renderOrder = ORDER;
         mesh.frustumCulled = false;
         mesh.onBeforeRender = () => this.onDraw();
@@ -176,7 +186,7 @@ export class PathBands {
     for (const o of this.group.children)
       if (o instanceof Mesh) {
         o.geometry.dispose();
-        (o.material as ShaderMaterial | MeshBasicMaterial).dispose();
+        if (o === this.mark) (o.material as MeshBasicMaterial).dispose();
       }
     this.group.clear();
     this.mark = null;
@@ -184,5 +194,6 @@ export class PathBands {
 
   dispose(): void {
     this.clear();
+    for (const m of this.materials.values()) m.dispose();
   }
 }

@@ -26,6 +26,8 @@ export interface FeetTrack {
   down: Uint8Array;
   /** Standing still in its final place (1) or moving. */
   still: Uint8Array;
+  /** Starting or stopping (1) or at full stride. */
+  slow: Uint8Array;
   /** Out: ankle joints, x, y, z. */
   ankle: Float64Array;
   contacts: Uint8Array;
@@ -52,6 +54,7 @@ export function createFeetTrack(frames: number): FeetTrack {
     tilt: new Float64Array(6 * frames),
     down: new Uint8Array(frames),
     still: new Uint8Array(frames),
+    slow: new Uint8Array(frames),
     ankle: new Float64Array(6 * frames),
     contacts: new Uint8Array(frames),
   };
@@ -180,6 +183,57 @@ export function constrainFeet(
     for (let k = 0; k <= own.length; k++)
       swing(track, side, k > 0 ? own[k - 1] : null, own[k] ?? null, shift, shape, leg);
   }
+}
+
+/**
+ * A foot this near to where it will rest, or has rested, rests there already: across and over the ground, metres. One that
+ * stays for a while just over its place, at a stop, was put down there long ago.
+ */
+const RESTS_ACROSS = 0.006;
+const RESTS_OVER = 0.008;
+const HOVERS_OVER = 0.022;
+const HOVERS_FOR = 6;
+/** A plant grows by so many frames at most, at either end. */
+const MOST_GROWTH = 45;
+
+/**
+ * At starts and stops plants grow over the frames in which the constrained foot is as good as in its place: what stands on the
+ * ground is claimed.
+ *
+ * @param plants from `findPlants`, changed in place. @returns whether any grew: the feet are to be constrained anew.
+ */
+export function growPlants(track: FeetTrack, plants: readonly StylePlant[]): boolean {
+  let grown = false;
+  for (const plant of plants) {
+    const side = plant.foot === "left" ? 0 : 1;
+    const bit = 1 << side;
+    const free = (f: number) => f >= 0 && f < track.frames && (track.down[f] & bit) === 0;
+    /** Frames from `rest` on, in one direction, that are near to it. */
+    const frames = (rest: number, way: 1 | -1, over: number): number => {
+      let n = 0;
+      const b = 6 * rest + 3 * side;
+      const { ankle } = track;
+      // One frame of air is left to a neighbour that stands.
+      while (n < MOST_GROWTH && free(rest + way * (n + 2))) {
+        const a = b + 6 * way * (n + 1);
+        const across = Math.hypot(ankle[a] - ankle[b], ankle[a + 2] - ankle[b + 2]);
+        if (across > RESTS_ACROSS || Math.abs(ankle[a + 1] - ankle[b + 1]) > over) break;
+        n++;
+      }
+      return n;
+    };
+    for (const way of [-1, 1] as const) {
+      const rest = way < 0 ? plant.from : plant.to - 1;
+      if (!track.slow[rest]) continue;
+      const hovers = frames(rest, way, HOVERS_OVER);
+      const n = hovers >= HOVERS_FOR ? hovers : frames(rest, way, RESTS_OVER);
+      for (let k = 1; k <= n; k++) track.down[rest + way * k] |= bit;
+      if (way < 0) plant.from -= n;
+      else plant.to += n;
+      grown ||= n > 0;
+    }
+  }
+  return grown;
 }
 
 /** The air between two plants; before the first or after the last, one end's displacement is kept. */

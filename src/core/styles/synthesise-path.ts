@@ -18,7 +18,7 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { ContactTrack } from "../steps/types.ts";
 import { balanceOnPath } from "./balance.ts";
 import { MEMBER_ROW, readFamily, type StrideFamily } from "./family.ts";
-import { constrainFeet, createFeetTrack, findPlants, freeFeet, type StylePlant } from "./feet.ts";
+import { constrainFeet, createFeetTrack, findPlants, freeFeet, growPlants, type StylePlant } from "./feet.ts";
 import { easeKnees } from "./knees.ts";
 import { leanAlong } from "./lean.ts";
 import type { LoopSequence } from "./loop.ts";
@@ -97,8 +97,10 @@ export function synthesisePath(
   layFrames(clip, path, families, timeline, lean, feet, knees, o.displacement);
   const laid = clip.root.slice();
   const plants = findPlants(feet);
-  if (o.feet) constrainFeet(feet, plants, skeleton.foot, skeleton.legLength);
-  else freeFeet(feet, skeleton.foot);
+  if (o.feet) {
+    constrainFeet(feet, plants, skeleton.foot, skeleton.legLength);
+    if (growPlants(feet, plants)) constrainFeet(feet, plants, skeleton.foot, skeleton.legLength);
+  } else freeFeet(feet, skeleton.foot);
   reachFeet(clip, feet.ankle);
   closeLegs(clip, feet, knees);
   if (o.feet && o.balance) {
@@ -241,6 +243,7 @@ function layFrames(
       towardsStanding(row, stance, height, timeline.amount[f], skeleton);
     }
     feet.still[f] = timeline.amount[f] <= 0 && timeline.down[f] === 3 ? 1 : 0;
+    feet.slow[f] = timeline.amount[f] < 1 ? 1 : 0;
     const s = timeline.at[f];
     const tilt = lean[f];
     const yaw = readPath(path, path.heading, s);

@@ -3,7 +3,7 @@
  * key-times, blended over adaptive lengths from any frame, with the stride that the curvature allows.
  */
 import { minimumJerk } from "../math/interpolate.ts";
-import { type BlendLength, blendLength, FIXED_BLEND } from "./blend-length.ts";
+import { type BlendLength, blendAt, FIXED_BLEND } from "./blend-length.ts";
 import { type StrideFamily, strideScale } from "./family.ts";
 import { type ContactPhases, frameOfPhase, phaseOfFrame } from "./gait-phase.ts";
 import type { LoopSequence } from "./loop.ts";
@@ -176,10 +176,9 @@ export function createTimeline(
     const wanted = styleAt(changes, s);
     if (!blend && wanted !== style && stopping < 0) {
       const to = families[wanted].loop;
-      const start = nearestStride(phase, frameA, loop, to);
-      offset = Math.floor(phase) - start;
+      const { stride, length } = blendAt(loop, phase, to);
+      offset = Math.floor(phase) - stride;
       frameB = frameOfPhase(to.phases, phase - offset);
-      const length = blendLength(loop, frameA, to, frameB);
       const frames = Math.max(2, Math.round(options.adaptive ? length.frames : FIXED_BLEND * RATE));
       blend = { from: style, to: wanted, start: now, length, frames, phaseB: phase - offset };
       blends.push({ from: style, to: wanted, start: now, length, frames });
@@ -290,24 +289,4 @@ function styleAt(changes: readonly StyleChange[], s: number): number {
   let style = changes[0].style;
   for (const c of changes) if (c.at <= s) style = c.style;
   return style;
-}
-
-/** The stride of the other loop, at the same place within the stride, that is nearest in pose. */
-function nearestStride(
-  phase: number,
-  frame: number,
-  from: StrideFamily["loop"],
-  to: StrideFamily["loop"],
-): number {
-  const u = phase - Math.floor(phase);
-  let best = 0;
-  let least = Number.POSITIVE_INFINITY;
-  for (let k = 0; k < to.strides; k++) {
-    const { gap } = blendLength(from, frame, to, frameOfPhase(to.phases, k + u));
-    if (gap < least) {
-      least = gap;
-      best = k;
-    }
-  }
-  return best;
 }
