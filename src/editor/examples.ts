@@ -1,7 +1,9 @@
 /** The example scenes of the Scenes menu. */
 import aLecture from "../../assets/scenes/a-lecture.json";
 import alongTheBoard from "../../assets/scenes/along-the-board.json";
+import figureEight from "../../assets/scenes/figure-eight.json";
 import movingBoxes from "../../assets/scenes/moving-boxes.json";
+import onePathFourStyles from "../../assets/scenes/one-path-four-styles.json";
 import roundTheTable from "../../assets/scenes/round-the-table.json";
 import twoBoxesAway from "../../assets/scenes/two-boxes-away.json";
 import { defaultScene } from "../core/scene/default-scene.ts";
@@ -23,4 +25,6 @@ export const EXAMPLES: readonly Example[] = [
   { name: "Round the table", scene: () => parseScene(roundTheTable) },
   { name: "A lecture", scene: () => parseScene(aLecture) },
   { name: "Two boxes away", scene: () => parseScene(twoBoxesAway) },
+  { name: "One path, four styles", scene: () => parseScene(onePathFourStyles) },
+  { name: "Figure eight", scene: () => parseScene(figureEight) },
 ];

@@ -21,8 +21,7 @@ import { measureMotion } from "../core/quality/measure.ts";
 import type { Scene } from "../core/scene/types.ts";
 import { JOINT_COUNT } from "../core/skeleton/joints.ts";
 import { createSkeleton, type Skeleton } from "../core/skeleton/skeleton.ts";
-import type { StrideFamily } from "../core/styles/family.ts";
-import { planPaths, stylesOf } from "../core/styles/plan-paths.ts";
+import { storyOf } from "../core/styles/story.ts";
 import { goalsOf, planScene } from "../core/tasks/plan-scene.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
 import type { TaskGoal } from "../core/tasks/transition.ts";
@@ -30,7 +29,7 @@ import { decodeLibrary } from "../core/templates/library-file.ts";
 import { retargetLibrary } from "../core/templates/retarget-library.ts";
 import type { Library } from "../core/templates/types.ts";
 import { cyclicSources } from "../studio/blend-library.ts";
-import { styleFamilies } from "../studio/style-families.ts";
+import { PathPlanner } from "./path-planner.ts";
 import type { PlannerRequest, PlannerResponse } from "./protocol.ts";
 
 /** Frames made between two looks at the inbox, in a worker. */
@@ -82,9 +81,10 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
   const characters = new Map<string, Character>();
   /** The plan that each asker plays, by `client`. */
   const played = new Map<number, Playing>();
-  let families: { key: string; byStyle: Map<string, StrideFamily> } | null = null;
   let cycles: CyclicSource[] | null = null;
   let blends: { key: string; library: BlendLibrary } | null = null;
+  const paths = new PathPlanner();
+  let told = false;
   let newest: PlanRequest | null = null;
   let busy = false;
 
@@ -117,14 +117,32 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     return character;
   }
 
-  /** The walk along a scene's paths, in the styles painted; tasks wait until there are no paths. */
-  function alongPaths(scene: Scene, key: string, skeleton: Skeleton): PlannedMotion {
-    if (families?.key !== key) families = { key, byStyle: new Map() };
-    const missing = stylesOf(scene).filter((style) => !families?.byStyle.has(style));
-    for (const [style, family] of styleFamilies(missing, skeleton)) families.byStyle.set(style, family);
-    const { plan, motion } = planPaths(scene, skeleton, families.byStyle);
+  /**
+   * The walk along a scene's paths, in the styles painted; tasks wait until there are no paths. Null when a newer request has
+   * come meanwhile.
+   */
+  async function alongPaths(
+    request: PlanRequest,
+    scene: Scene,
+    key: string,
+  ): Promise<{ motion: PlannedMotion; story: ReturnType<typeof storyOf> } | null> {
+    const walk = await paths.plan(
+      scene,
+      key,
+      request.paths ?? {},
+      (style, done, of) => post({ type: "families", id: request.id, style, done, of }),
+      async () => {
+        await pause();
+        return newest === request;
+      },
+    );
+    if (!walk) return null;
+    const { plan, motion } = walk;
     if (scene.tasks.length > 0) plan.warnings.push("paths: tasks wait while a path is followed.");
-    return { plan, clip: motion.clip, contacts: motion.contacts };
+    return {
+      motion: { plan, clip: motion.clip, contacts: motion.contacts },
+      story: storyOf(walk),
+    };
   }
 
   /** The clips that steps on stones are blended of, baked for a character. */
@@ -142,8 +160,16 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     const { key, library, cache } = libraryFor(scene);
     let motion: PlannedMotion | null = null;
     let hands: ReturnType<typeof handResults> = { boxes: [], ink: [] };
-    if (scene.paths.length > 0) motion = alongPaths(scene, key, skeleton);
-    else if (scene.tasks.length > 0) {
+    let story: ReturnType<typeof storyOf> | null = null;
+    if (scene.paths.length > 0) {
+      const walk = await alongPaths(request, scene, key);
+      if (!walk) {
+        post({ type: "dropped", id: request.id });
+        return;
+      }
+      motion = walk.motion;
+      story = walk.story;
+    } else if (scene.tasks.length > 0) {
       const plan = planScene(scene, library, skeleton, { trace: true });
       const synthesis = beginSynthesis(library, skeleton, plan, goalsOf(scene), cache);
       motion = { plan, clip: synthesiseClip(synthesis, "scene"), contacts: synthesis.track.contacts };
@@ -158,7 +184,15 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     if (!motion) throw new Error("The scene has neither paths nor stones.");
     played.delete(request.client);
     const { plan, clip, contacts } = motion;
-    post({ type: "planned", id: request.id, plan, planMs: performance.now() - begun, frames: clip.frames });
+    const planMs = performance.now() - begun;
+    post({
+      type: "planned",
+      id: request.id,
+      plan,
+      planMs,
+      frames: clip.frames,
+      ...(story ? { story } : {}),
+    });
     await pause();
     const started = performance.now();
     const chunks: MotionChunk[] = [];
@@ -183,6 +217,11 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     const goals = scene.paths.length > 0 ? [] : goalsOf(scene);
     const quality = measureMotion(skeleton, chunks, clip.frames, plan, goals);
     post({ type: "finished", id: request.id, ...hands, quality, motionMs });
+    if (scene.paths.length === 0) return;
+    await pause();
+    if (told || newest !== request) return;
+    told = true;
+    post({ type: "styles", facts: paths.shippedFacts() });
   }
 
   async function answer(request: PlanRequest): Promise<void> {
@@ -275,6 +314,20 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
         if (newest && busy && newest.id !== message.id) post({ type: "overtaken", id: newest.id });
         newest = message;
         void work();
+        break;
+      case "style":
+        try {
+          post({ type: "style", facts: paths.addStyle(message.name, message.file, message.text) });
+        } catch (error) {
+          post({
+            type: "style-failed",
+            name: message.name,
+            message: error instanceof Error ? error.message : String(error),
+          });
+        }
+        break;
+      case "forget-style":
+        paths.forgetStyle(message.name);
         break;
       case "cancel":
         if (newest?.id === message.id) newest = null;
