@@ -143,7 +143,6 @@ test("every control is reached by keyboard, in order, with a name; the sheet lis
     "Path",
     "Play",
     "Loop",
-    "Size of the panel",
     "Size of the timeline",
     "Task 1: Write",
     "Height",
