@@ -11,10 +11,16 @@ import type { Actor, Pace, Score } from "./score.ts";
 
 const DEG = Math.PI / 180;
 const ADULT: Actor = { height: REFERENCE_HEIGHT, proportions: DEFAULT_PROPORTIONS };
+/** A cycle repeats: its steps vary less than a walker's do. */
+const EVEN = 0.15;
 /** Steps of each clip between its first and its last. */
 const STEPS = 8;
 
 const JOG: Partial<Pace> = { length: 0.8, time: 0.385, stance: 0.46, width: 0.08 };
+
+const RUN: Partial<Pace> = { length: 0.97, time: 0.378, stance: 0.4, width: 0.07 };
+/** Between walking and jogging: blends of the two alone would shuffle. */
+const SLOW_JOG: Partial<Pace> = { length: 0.64, time: 0.39, stance: 0.48, width: 0.08 };
 
 /** Comfortable pace at a speed: length and time share the change, stance shortens [Grieve and Gear 1966]. */
 export function paceAt(speed: number): Partial<Pace> {
@@ -23,7 +29,7 @@ export function paceAt(speed: number): Partial<Pace> {
 }
 
 function straight(name: string, seed: number, pace: Partial<Pace>): Score {
-  return straightScore({ name, seed, actor: { ...ADULT, pace }, steps: STEPS });
+  return straightScore({ name, seed, actor: { ...ADULT, pace: { ...pace, noise: EVEN } }, steps: STEPS });
 }
 
 /** Walks round a circle: `radius` metres to the left positive. */
@@ -77,7 +83,12 @@ function drifting(
   drift: number,
   pace: Partial<Pace> | null = null,
 ): Score {
-  const w = createWalker(name, seed, { x: 0, z: 0, yaw: 0 }, pace ? { ...ADULT, pace } : ADULT);
+  const w = createWalker(
+    name,
+    seed,
+    { x: 0, z: 0, yaw: 0 },
+    pace ? { ...ADULT, pace: { ...pace, noise: EVEN } } : ADULT,
+  );
   // The foot on the side it drifts to opens; the other one follows.
   let foot = drift >= 0 ? ("left" as const) : ("right" as "left" | "right");
   const at = { x: 0, z: 0 };
@@ -145,9 +156,13 @@ export function cyclicScores(): Score[] {
     ...[0.16, -0.16].map((d, i) => drifting(`cycle-drift-${i + 1}`, 245 + i, 0.42, 0.08, d)),
     ...[0.28, -0.28].map((d, i) => drifting(`cycle-drift-${i + 3}`, 247 + i, 0.52, 0.09, d)),
     straight("cycle-jog", 206, JOG),
-    ...[0.16, -0.16].map((d, i) => drifting(`cycle-jog-${i + 2}`, 249 + i, 0.8, 0.05, d, JOG)),
+    ...[0.16, -0.16].map((d, i) => drifting(`cycle-jog-${i + 2}`, 261 + i, 0.8, 0.05, d, JOG)),
+    straight("cycle-jog-4", 209, SLOW_JOG),
+    ...[0.16, -0.16].map((d, i) => drifting(`cycle-jog-${i + 5}`, 251 + i, 0.64, 0.05, d, SLOW_JOG)),
     straight("cycle-run", 207, { length: 1.15, time: 0.375, stance: 0.37, width: 0.06 }),
-    straight("cycle-run-2", 208, { length: 0.97, time: 0.378, stance: 0.4, width: 0.07 }),
+    straight("cycle-run-2", 208, RUN),
+    straight("cycle-run-3", 210, { length: 0.88, time: 0.38, stance: 0.43, width: 0.07 }),
+    straight("cycle-run-4", 256, { length: 1.06, time: 0.376, stance: 0.385, width: 0.06 }),
     ...[1.1, -1.1, 2.2, -2.2].map((r, i) => curve(`cycle-curve-${i + 1}`, 211 + i, r)),
     ...[28, -28, 50, -50].map((a, i) => spot(`cycle-spot-${i + 1}`, 215 + i, a * DEG)),
     ...[0.22, -0.22, 0.4, -0.4].map((d, i) => sideways(`cycle-side-${i + 1}`, 221 + i, d, 0)),

@@ -2,6 +2,7 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { figureBars } from "../../src/plots/figure-bars.ts";
+import blending from "./blending.bench.ts";
 import browser from "./browser.bench.ts";
 import { misses } from "./check.ts";
 import contacts from "./contacts.bench.ts";
@@ -22,6 +23,7 @@ const MODULES: BenchModule[] = [
   contacts,
   crowd,
   styles,
+  blending,
   groundTruth,
   leftOut,
   quality,

@@ -20,7 +20,7 @@ export const TO = 10;
 export const TO_V = 14;
 /** Where the root is now: x, z, yaw, y. */
 export const NOW = 18;
-/** The body's step: lift, landing, share of its rows at the landing; 1 while stepping. */
+/** The body's step: lift, landing, phase of its rows at the next lift; 1 while stepping. */
 export const LIFT = 22;
 export const LAND = 23;
 export const PHI = 24;
@@ -31,13 +31,17 @@ export const BLEND_TIME = 27;
 /** Root control: lambda_4, then the wanted velocity (lateral, forward, turn) in the root's frame. */
 export const LAMBDA4 = 28;
 export const WANT = 29;
+/** Length of the blend of the hips' place, seconds. */
+export const HIPS_TIME = 32;
 /** Side of the body's step: 0 left, 1 right. */
 export const LAST_SIDE = 33;
 /** Lift of the step that comes next as far as is known; Infinity. */
 export const NEXT_LIFT = 34;
+/** Landing of the other foot during the step, in a run; 0 for none. */
+export const OTHER_LAND = 35;
 /** The foot blocks. */
 export const FOOT = 36;
-export const FOOT_STATE = 32;
+export const FOOT_STATE = 36;
 export const STATE = FOOT + 2 * FOOT_STATE;
 
 /** In a foot block. A place is x, y, z, yaw, and the ground's normal x, z. */
@@ -57,6 +61,10 @@ export const PITCH = 21;
 export const F_NEXT = 22;
 /** The ankle's place and rotation wanted this frame: x, y, z, then xyzw, toe bend. */
 export const ANKLE = 23;
+/** Where the foot was to go last: x, z, yaw; its place may be short of it. */
+export const WANTED = 31;
+/** Pitch with which the step under way lands. */
+export const LAND_PITCH = 34;
 
 /** Queued footsteps a character: side, x, y, z, yaw, normal x, normal z, lift, land. */
 export const QUEUE = 8;
@@ -123,6 +131,7 @@ export interface Scratch {
   positions: Float64Array;
   world: Float64Array;
   v: Float64Array;
+  kept: Float64Array;
   swing: Float64Array;
 }
 
@@ -165,6 +174,7 @@ export function createBatch(
       positions: new Float64Array(3 * JOINT_COUNT),
       world: new Float64Array(4 * JOINT_COUNT),
       v: new Float64Array(8),
+      kept: new Float64Array(6),
       swing: new Float64Array(5),
     },
   };

@@ -26,6 +26,7 @@ import {
   F_NEXT,
   FOOT,
   FOOT_STATE,
+  HIPS_TIME,
   LAMBDA4,
   LAND,
   LAST_SIDE,
@@ -42,6 +43,7 @@ import {
   TARGET,
   TO,
   WANT,
+  WANTED,
 } from "./batch.ts";
 import { type BlendLibrary, HIPS_AT } from "./library.ts";
 import { MIX } from "./mix.ts";
@@ -59,8 +61,10 @@ export interface TimedFootstep extends Footstep {
 /** Blends into and out of standing take longer, seconds. */
 const STAND_BLEND = 0.45;
 /** Longer blends for poses that are far apart: seconds per tangent of half the largest angle; at most. */
-const FAR_BLEND = 0.5;
+const FAR_BLEND = 0.3;
 const LONGEST_BLEND = 0.45;
+/** Longest blend of the hips' place. */
+const HIPS_BLEND = 0.5;
 const FRAME = 1 / 60;
 
 export interface BlendCrowd extends Batch {
@@ -158,6 +162,9 @@ function stand(b: Batch, i: number, at: GroundPose & { y?: number }): void {
     s[f + PLACE + 1] = at.y ?? 0;
     s[f + PLACE + 2] = at.z + sign * (c * standFoot.z - n * standFoot.x);
     s[f + PLACE + 3] = at.yaw + sign * standFoot.yaw;
+    s[f + WANTED] = s[f + PLACE];
+    s[f + WANTED + 1] = s[f + PLACE + 2];
+    s[f + WANTED + 2] = s[f + PLACE + 3];
     s[f + F_LAND] = Number.NEGATIVE_INFINITY;
     s[f + F_NEXT] = Number.POSITIVE_INFINITY;
     s[f + STAY] = 0.7;
@@ -187,6 +194,7 @@ function adopt(
   stand(b, i, { ...middle, y: (feet[0].y + feet[1].y) / 2 });
   feet.forEach((p, side) => {
     s.set([p.x, p.y, p.z, p.yaw], o + FOOT + FOOT_STATE * side + PLACE);
+    s.set([p.x, p.z, p.yaw], o + FOOT + FOOT_STATE * side + WANTED);
   });
   const { old, pose } = b.scratch;
   for (let k = 0; k < HIPS_AT; k++) old[k] = rotations[k];
@@ -259,7 +267,7 @@ function begin(b: Batch, i: number, row: number): void {
     b.queueCount[i] > 0 ? b.queue[QUEUE_ROW * (QUEUE * i + b.queueHead[i]) + 7] : Number.POSITIVE_INFINITY;
   startStep(b, i, row, next);
   const side = s[o + LAST_SIDE];
-  const length = s[o + T1] - lift;
+  const length = s[o + LAND] - lift;
   sampleBody(pose, b, 3 * i, side, 0);
   sampleBody(after, b, 3 * i, side, length > 0 ? FRAME / length : 0);
   blend(b, i, lift, old, before, pose, after, wasStepping ? b.options.blend : STAND_BLEND);
@@ -289,5 +297,8 @@ function blend(
   const most = beginOffset(b, i, old, before, fresh, after, FRAME);
   const o = STATE * i;
   b.state[o + BLEND_FROM] = t;
+  // The hips are heavy: their place takes longer, but no longer than the step.
+  const s = b.state;
+  s[o + HIPS_TIME] = s[o + STEPPING] === 1 ? Math.min(HIPS_BLEND, 0.9 * (s[o + LAND] - t)) : HIPS_BLEND;
   b.state[o + BLEND_TIME] = Math.min(Math.max(LONGEST_BLEND, least), least + FAR_BLEND * most);
 }

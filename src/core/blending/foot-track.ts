@@ -16,6 +16,7 @@ import {
   F_NEXT,
   FOOT,
   FOOT_STATE,
+  LAND_PITCH,
   LAST_SIDE,
   LEAVE,
   NOW,
@@ -72,6 +73,8 @@ export function leaveGround(b: Batch, i: number, side: number): void {
   s[f + LEAVE + 2] = spot[2];
   s[f + LEAVE + 3] = pitch;
   s[f + LEAVE + 4] = planted[2];
+  sampleSwing(b.scratch.swing, b, 3 * i + 1 + side, side, 1);
+  s[f + LAND_PITCH] = b.scratch.swing[3];
 }
 
 /** Which mix says how a planted foot leaves: that of the other foot's step under way, else its own last one, softened. */
@@ -120,15 +123,17 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
   const length = s[f + F_LAND] - s[f + F_LIFT];
   const u = Math.max(0, Math.min(1, (t - s[f + F_LIFT]) / length));
   const mix = 3 * i + 1 + side;
-  sampleSwing(swing, b, mix, side, 1);
-  const landing = swing[3];
-  sampleSwing(swing, b, mix, side, 0);
-  const early = 1 - easedShare(Math.min(1, u / 0.6));
-  const pitchOff = early * (s[f + LEAVE + 3] - swing[3]);
-  const toeOff = early * (s[f + LEAVE + 4] - swing[4]);
+  let pitchOff = 0;
+  let toeOff = 0;
+  if (u < 0.6) {
+    sampleSwing(swing, b, mix, side, 0);
+    const early = 1 - easedShare(u / 0.6);
+    pitchOff = early * (s[f + LEAVE + 3] - swing[3]);
+    toeOff = early * (s[f + LEAVE + 4] - swing[4]);
+  }
   sampleSwing(swing, b, mix, side, u);
   const pitch = swing[3] + pitchOff;
-  ankleOver(s, f + TARGET, shape, landing);
+  ankleOver(s, f + TARGET, shape, s[f + LAND_PITCH]);
   const share = easedShare(u);
   const yaw = s[o + NOW + 2];
   const c = Math.cos(yaw);

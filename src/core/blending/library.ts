@@ -2,8 +2,9 @@
  * Clips baked for blending: every animation step as rows at even phases, in flat arrays that a batch reads without
  * allocation [Barycentric §4.1].
  *
- * A step's index is 2 x clip + (0 left, 1 right). Its body rows run over u = 0..1 from its lift to the next lift: local
- * rotations (the hips' seen from the root's frame) and the hips' place in that frame. Its swing rows run over s = 0..1 from lift
+ * A step's index is 2 x clip + (0 left, 1 right). Its body rows run from its lift (u = 0) over its landing (u = 1) and on, so
+ * that walks and runs, which lift the other foot after or before it, are in step at the landing: local rotations (the
+ * hips' seen from the root's frame) and the hips' place in that frame. Its swing rows run over s = 0..1 from lift
  * to landing: what the ankle does beside the eased straight way between its planted places. Its stance rows run over the time the foot stays down:
  * its pitch while it settles, and while it leaves. All is scaled to the character's leg.
  */
@@ -23,8 +24,11 @@ import type { ClipAnalysis, CyclicSource } from "./types.ts";
 /** Rotations, then the hips' place x, y, z; one number left over. */
 export const BODY_ROW = 4 * JOINT_COUNT + 4;
 export const HIPS_AT = 4 * JOINT_COUNT;
-/** Rows a step: u = 0, 1/32 .. 1. */
-export const BODY_ROWS = 33;
+/** Phases that a step's rows reach over, 0 at its lift and 1 at its landing, and how many rows. */
+export const BODY_SPAN = 1.75;
+export const BODY_ROWS = 43;
+/** Phase at which the other foot lands in clips that fly. */
+export const FLIGHT = 0.2;
 /** Lateral, up, forward beside the eased way (root's frame), foot pitch (toe up), toe bend. */
 export const SWING_ROW = 5;
 export const SWING_ROWS = 25;
@@ -160,7 +164,7 @@ function stepOf(source: CyclicSource, cycle: Cycle, side: number): number {
 function readBody(out: Float64Array, source: CyclicSource, cycle: Cycle, at: number, scale: number): void {
   const { clip } = source;
   const f = Math.max(0, Math.min(clip.frames - 2, Math.floor(at)));
-  const u = at - f;
+  const u = Math.max(0, Math.min(1, at - f));
   const q = 4 * JOINT_COUNT;
   for (let k = 0; k < q; k++)
     out[k] = clip.rotations[q * f + k] * (1 - u) + clip.rotations[q * (f + 1) + k] * u;
@@ -189,10 +193,16 @@ function bakeBody(
 ): void {
   const i = stepOf(source, cycle, step % 2);
   const lift = liftFrame(source.steps[i]);
-  const end = liftFrame(source.steps[i + 1]);
+  const swing = landFrame(source.steps[i]) - lift;
+  const other = landFrame(source.steps[i - 1]) - lift;
+  // Frames after the lift at a phase: in step at the other foot's landing, where that comes later, and at this one's.
+  const frameAt = (u: number): number => {
+    if (other <= 1 || u >= 1) return swing * u;
+    return u < FLIGHT ? (other * u) / FLIGHT : other + ((swing - other) * (u - FLIGHT)) / (1 - FLIGHT);
+  };
   const row = new Float64Array(BODY_ROW);
   for (let r = 0; r < BODY_ROWS; r++) {
-    readBody(row, source, cycle, lift + ((end - lift) * r) / (BODY_ROWS - 1), scale);
+    readBody(row, source, cycle, lift + frameAt((BODY_SPAN * r) / (BODY_ROWS - 1)), scale);
     library.body.set(row, (step * BODY_ROWS + r) * BODY_ROW);
   }
 }

@@ -13,10 +13,12 @@ import {
   BLEND_TIME,
   FOOT,
   FOOT_STATE,
+  HIPS_TIME,
   LAND,
   LAST_SIDE,
   LIFT,
   NOW,
+  OTHER_LAND,
   PHI,
   PITCH,
   PLACE,
@@ -29,20 +31,26 @@ import {
 } from "./batch.ts";
 import { easeAnkle, footAt } from "./foot-track.ts";
 import { closeLeg, type Leg, legOf, sinkFor } from "./leg-ik.ts";
-import { easedShare, HIPS_AT } from "./library.ts";
+import { easedShare, FLIGHT, HIPS_AT } from "./library.ts";
 import { rootAt } from "./root-track.ts";
-import { applyHipsOffset, applyOffset, HIPS_BLEND, sampleBody } from "./sample.ts";
+import { applyHipsOffset, applyOffset, sampleBody } from "./sample.ts";
 
-/** Phase of the body's rows at time t: lift, landing and next lift are met [Barycentric §5, time warping]. */
+/**
+ * Phase of the body's rows at time t [Barycentric §5, time warping]: 0 at the lift, 1 at the landing, and at the next lift what
+ * the clips have there. A runner's other foot lands at FLIGHT, and its next lift comes before the landing.
+ */
 function bodyPhase(s: Float64Array, o: number, t: number): number {
   const lift = s[o + LIFT];
   const land = s[o + LAND];
+  const other = s[o + OTHER_LAND];
+  if (other > 0) {
+    if (t < other) return (FLIGHT * (t - lift)) / (other - lift);
+    if (t <= land) return FLIGHT + ((1 - FLIGHT) * (t - other)) / (land - other);
+  }
+  if (t <= land) return (t - lift) / (land - lift);
   const end = s[o + T1];
-  const phi = s[o + PHI];
-  // A run's landing comes after the next lift: one even pace.
-  if (land >= end - 0.02) return (t - lift) / Math.max(0.05, end - lift);
-  if (t < land) return (phi * (t - lift)) / (land - lift);
-  return phi + ((1 - phi) * (t - land)) / (end - land);
+  if (end <= land + 0.02) return 1 + (t - land) / (land - lift);
+  return 1 + (Math.max(0.05, s[o + PHI] - 1) * (t - land)) / (end - land);
 }
 
 /** What is shown at time t before feet are placed: blended rotations and the hips' place in the root's frame. */
@@ -59,7 +67,8 @@ export function shownBody(out: Float64Array, b: Batch, i: number, t: number): vo
   if (length > 0) {
     const time = Math.max(0, t - s[o + BLEND_FROM]);
     if (time < length) applyOffset(out, b, i, time / length, length);
-    if (time < HIPS_BLEND) applyHipsOffset(out, b, i, time);
+    const hips = s[o + HIPS_TIME];
+    if (time < hips) applyHipsOffset(out, b, i, time, hips);
   }
 }
 
@@ -137,7 +146,9 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
       s[f + ANKLE + 2] - positions[joint + 2],
     );
     // A smooth largest of both.
-    sink = Math.sqrt(Math.sqrt(sink ** 4 + need ** 4));
+    const a = sink * sink;
+    const c = need * need;
+    sink = Math.sqrt(Math.sqrt(a * a + c * c));
     if (side === landed) {
       const ankle = joint + 6;
       const dx = positions[ankle] - s[f + ANKLE];

@@ -1,7 +1,16 @@
 /** Rows of the library at a phase, blended by a mix. Hot path: no allocation. */
 import { JOINT_COUNT } from "../skeleton/joints.ts";
 import { type Batch, OFFSET, POSE } from "./batch.ts";
-import { BODY_ROW, BODY_ROWS, HIPS_AT, STANCE_ROW, STANCE_ROWS, SWING_ROW, SWING_ROWS } from "./library.ts";
+import {
+  BODY_ROW,
+  BODY_ROWS,
+  BODY_SPAN,
+  HIPS_AT,
+  STANCE_ROW,
+  STANCE_ROWS,
+  SWING_ROW,
+  SWING_ROWS,
+} from "./library.ts";
 import { blendRows } from "./mean-rotation.ts";
 import { MIX } from "./mix.ts";
 
@@ -14,7 +23,7 @@ export function sampleBody(out: Float64Array, b: Batch, mix: number, side: numbe
   const { rows } = b.scratch;
   const { body } = b.library;
   const count = b.mixCount[mix];
-  const at = u <= 0 ? 0 : u >= 1 ? BODY_ROWS - 1 : u * (BODY_ROWS - 1);
+  const at = u <= 0 ? 0 : u >= BODY_SPAN ? BODY_ROWS - 1 : u * ((BODY_ROWS - 1) / BODY_SPAN);
   const r = at >= BODY_ROWS - 1 ? BODY_ROWS - 2 : at | 0;
   const f = at - r;
   let hx = 0;
@@ -128,18 +137,15 @@ function rodrigues(out: Float64Array, o: number, a: Float64Array, b: Float64Arra
   out[o + 2] = f * (aw * bz + ax * by - ay * bx + az * bw);
 }
 
-/** The hips' place is heavy: its blend takes longer than the joints', seconds. */
-export const HIPS_BLEND = 0.5;
-
-/** Lays what is left of the hips' part of the blend over a pose. @param time seconds since it began, under HIPS_BLEND. */
-export function applyHipsOffset(pose: Float64Array, b: Batch, i: number, time: number): void {
+/** Lays what is left of the hips' part of the blend over a pose. @param time seconds since it began, under `length`. */
+export function applyHipsOffset(pose: Float64Array, b: Batch, i: number, time: number, length: number): void {
   const g = b.offset;
   const h = OFFSET * i + 6 * JOINT_COUNT;
-  const s = time < 0 ? 0 : time / HIPS_BLEND;
+  const s = time / length;
   const s2 = s * s;
   const s3 = s2 * s;
   const h0 = 1 - s3 * (10 - 15 * s + 6 * s2);
-  const h1 = HIPS_BLEND * (s - s3 * (6 - 8 * s + 3 * s2));
+  const h1 = length * (s - s3 * (6 - 8 * s + 3 * s2));
   for (let k = 0; k < 3; k++) pose[HIPS_AT + k] += h0 * g[h + k] + h1 * g[h + 3 + k];
 }
 

@@ -16,6 +16,7 @@ import {
   LIFT,
   NEXT_LIFT,
   NOW,
+  OTHER_LAND,
   PHI,
   PLACE,
   PLACE_SIZE,
@@ -29,12 +30,13 @@ import {
   TO,
   TO_V,
   WANT,
+  WANTED,
 } from "./batch.ts";
 import { leaveGround } from "./foot-track.ts";
 import type { BlendLibrary } from "./library.ts";
 import { MIX, type Mix } from "./mix.ts";
 import { rootFrom } from "./root-track.ts";
-import { DURATION, ENDED, mixMoves, queryStep, STANCE, SWING } from "./step-query.ts";
+import { DURATION, ENDED, mixMoves, type Place, queryStep, STANCE, SWING } from "./step-query.ts";
 
 /** A next lift this much later than the clips' own is a stop in between, seconds. */
 const PAUSE = 0.4;
@@ -76,6 +78,10 @@ export function startStep(b: Batch, i: number, row: number, next: number): void 
   query.correction = b.options.correction;
   choice.located.triangle = b.triangle[2 * i + side];
   queryStep(query, mix, choice, library, rootWeights);
+  if (choice.located.outside > 0) fromTrack(b, f, g, choice.located.outside);
+  s[f + WANTED] = query.target.x;
+  s[f + WANTED + 1] = query.target.z;
+  s[f + WANTED + 2] = query.target.yaw;
   b.triangle[2 * i + side] = choice.located.triangle;
   storeMix(b, 3 * i);
   storeMix(b, 3 * i + 1 + side);
@@ -99,10 +105,49 @@ export function startStep(b: Batch, i: number, row: number, next: number): void 
   s[o + LAST_SIDE] = side;
   s[o + LIFT] = lift;
   s[o + LAND] = land;
-  s[o + PHI] = Math.max(0.3, Math.min(0.97, swing / duration));
+  s[o + OTHER_LAND] = s[g + AIR] === 1 && s[g + F_LAND] > lift ? Math.min(s[g + F_LAND], land - 0.05) : 0;
+  s[o + PHI] = duration / swing;
   s[o + NEXT_LIFT] = goesOn ? next : Number.POSITIVE_INFINITY;
   if (goesOn) walkOn(b, i, side, Math.max(next, lift + SHORTEST));
   else comeToRest(s, o, f, support, query.yawAfter, land);
+}
+
+/**
+ * Feet that missed their last footsteps: the root's track may go by where they were to be, when that leaves the next footstep
+ * nearer to the hull. So a miss does not lead to another one two steps later.
+ */
+function fromTrack(b: Batch, f: number, g: number, outside: number): void {
+  const s = b.state;
+  const { query, mix, choice, rootWeights, kept } = b.scratch;
+  keepPlace(kept, 0, query.from);
+  keepPlace(kept, 3, query.support);
+  let least = outside;
+  let best = 0;
+  // 1: the foot's own last footstep as wanted; 2: the supporting foot's too.
+  for (let way = 1; way <= 2; way++) {
+    takePlace(query.from, s, f + WANTED);
+    takePlace(query.support, way === 2 ? s : kept, way === 2 ? g + WANTED : 3);
+    queryStep(query, mix, choice, b.library, rootWeights);
+    if (choice.located.outside >= least - 1e-9) continue;
+    least = choice.located.outside;
+    best = way;
+  }
+  if (best === 2) return;
+  takePlace(query.from, best === 1 ? s : kept, best === 1 ? f + WANTED : 0);
+  takePlace(query.support, kept, 3);
+  queryStep(query, mix, choice, b.library, rootWeights);
+}
+
+function keepPlace(out: Float64Array, at: number, p: Place): void {
+  out[at] = p.x;
+  out[at + 1] = p.z;
+  out[at + 2] = p.yaw;
+}
+
+function takePlace(out: Place, from: Float64Array, at: number): void {
+  out.x = from[at];
+  out.z = from[at + 1];
+  out.yaw = from[at + 2];
 }
 
 /** x, y, z, yaw of a block as a place on the ground. */

@@ -82,7 +82,8 @@ export function timesFor(
           ? Math.min(LONG_SWING, swing * Math.min(1.25, since / natural))
           : (swing * since) / natural;
       air = Math.max(SHORT_SWING, air);
-      if (k === 0) air = Math.min(air, land - first);
+      // The first one's time is its swing.
+      if (k === 0) air = land - first;
     }
     // A foot stays down a moment between two of its own steps, the longer when the other one has not stepped in between.
     const again = k > 0 && track[k - 1].foot === p.foot;

@@ -83,7 +83,7 @@ export function createWalker(crowd: BlendCrowd, i: number, ground: GroundAt | nu
     const own = feet[side];
     const off = Math.hypot(own.x - at.x, own.z - at.z);
     if (off < NEAR && Math.abs(wrapAngle(own.yaw - at.yaw)) < NEAR_TURN) return;
-    const lift = Math.max(crowd.time + 0.02, last + CLOSE_WAIT);
+    const lift = Math.max(crowd.time, last + CLOSE_WAIT);
     push(side, at, lift, lift + CLOSE_SWING);
   };
 

@@ -20,12 +20,21 @@ export function suggestedYaw(scene: Scene, x: number, z: number): number {
   return Math.abs(wrapAngle(way - facing)) > ASIDE ? facing : way;
 }
 
+/** A bed deeper than this holds water: stones stand up out of it to the banks' level, metres. */
+const DEEP = 0.2;
+
+/** Height at which a stone is laid: on the ground, or at the banks' level over a bed. */
+export function stoneHeight(terrain: Terrain, x: number, z: number): number {
+  const ground = groundHeight(terrain, x, z);
+  return ground < -DEEP ? 0 : ground;
+}
+
 /** Adds a stone on the ground at (x, z), last in the order; foot and time are left to the planner. */
 export function addStone(scene: Scene, x: number, z: number): { scene: Scene; id: string } {
   const id = freeId(scene, "stone");
   const stone: SceneStone = {
     id,
-    position: [x, groundHeight(scene.terrain, x, z), z],
+    position: [x, stoneHeight(scene.terrain, x, z), z],
     yaw: wrapAngle(suggestedYaw(scene, x, z)),
     foot: null,
     time: null,
@@ -47,8 +56,8 @@ export function placeStone(
 ): Scene {
   const stone = scene.stones.find((s) => s.id === id);
   if (!stone) return scene;
-  const over = position[1] - groundHeight(scene.terrain, stone.position[0], stone.position[2]);
-  const y = groundHeight(scene.terrain, position[0], position[2]) + over;
+  const over = position[1] - stoneHeight(scene.terrain, stone.position[0], stone.position[2]);
+  const y = stoneHeight(scene.terrain, position[0], position[2]) + over;
   return changeStone(scene, id, { position: [position[0], y, position[2]], yaw: wrapAngle(yaw) });
 }
 
@@ -71,8 +80,8 @@ export function setTerrain(scene: Scene, terrain: Terrain): Scene {
     terrain,
     stones: scene.stones.map((s) => {
       const [x, y, z] = s.position;
-      const over = y - groundHeight(scene.terrain, x, z);
-      return { ...s, position: [x, groundHeight(terrain, x, z) + over, z] };
+      const over = y - stoneHeight(scene.terrain, x, z);
+      return { ...s, position: [x, stoneHeight(terrain, x, z) + over, z] };
     }),
   };
 }

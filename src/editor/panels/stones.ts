@@ -47,7 +47,7 @@ function stoneSection(e: Editor): TemplateResult {
     <div class="row segments" role="group" aria-label="Foot">
       ${([null, "left", "right"] as const).map(
         (f) =>
-          html`<button aria-pressed=${stone.foot === f} @click=${() => set({ foot: f })}>${f === null ? `Either${step ? `, ${step.foot}` : ""}` : f === "left" ? "Left" : "Right"}</button>`,
+          html`<button aria-pressed=${stone.foot === f} @click=${() => set({ foot: f })}>${f === null ? "Either" : f === "left" ? "Left" : "Right"}</button>`,
       )}
     </div>
     <label class="row"><input type="checkbox" .checked=${stone.time !== null} @change=${(ev: Event) => {

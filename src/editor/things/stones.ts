@@ -25,6 +25,8 @@ export const stoneThings: ThingKind = {
   order: 30,
   handle: "dot",
   tab: "stones",
+  // While stones are laid, a click beside one lays the next.
+  shown: (e) => e.store.getState().tool !== "stones",
   hint: "Drag to move, Alt drag in the room to lift",
   list(e) {
     const { scene, plan } = e.store.getState();

@@ -140,6 +140,7 @@ class WalkMode {
     const [lateral, forward, turn] = this.wish();
     const text = `${lateral} ${forward} ${turn}`;
     if (text !== this.asked) {
+      if (this.asked !== "" && document.documentElement.dataset.walk) this.e.set({ status: null });
       this.asked = text;
       this.send({ type: "wish", lateral, forward, turn });
     }
