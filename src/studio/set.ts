@@ -307,6 +307,41 @@ function walks(): Score[] {
   ];
 }
 
+/** From standing in the open in every direction, near and far: how a scene's first walk, or one after standing, sets off. */
+function standing(): Score[] {
+  const tour = (name: string, seed: number, ways: [number, number][]): Score => {
+    let at = { x: 0, z: 0, yaw: 0 };
+    const goals = ways.map(([deg, distance], i): Goal => {
+      const course = at.yaw + deg * DEG;
+      at = {
+        x: at.x + distance * Math.sin(course),
+        z: at.z + distance * Math.cos(course),
+        yaw: wrapAngle(course + (i % 2 === 0 ? 0.3 : -0.4)),
+      };
+      return { category: "stand", ...at };
+    });
+    return performance(name, seed, { x: 0, z: 0, yaw: 0 }, goals);
+  };
+  return [
+    tour("stand-directions-1", 81, [
+      [85, 1.8],
+      [150, 2.6],
+      [35, 1.5],
+      [-120, 1.9],
+      [175, 2.4],
+      [60, 2.6],
+    ]),
+    tour("stand-directions-2", 82, [
+      [120, 2.7],
+      [-60, 1.6],
+      [165, 1.6],
+      [105, 1.5],
+      [-20, 2.5],
+      [140, 1.7],
+    ]),
+  ];
+}
+
 /** Two more people, shorter and taller, at every kind of task. */
 function others(): Score[] {
   const people: [string, Actor][] = [
@@ -394,6 +429,7 @@ export function studioSet(): { name: string; score: Score }[] {
     ...taps(),
     ...mixed(),
     ...walks(),
+    ...standing(),
   ];
   return scores.map((score) => ({ name: score.name, score }));
 }

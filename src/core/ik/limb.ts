@@ -2,9 +2,15 @@
  * A two-bone limb in a fixed plane about its socket: the place that FABRIK's two passes converge to, taken at once.
  *
  * Both bones share the hinge's axis, so elbow and knee never twist. What is free is the swivel about the way from socket to
- * target: it stays where the pose has it as long as the socket's limits allow, else it turns the least that does.
+ * target: the limb swings there as one piece, and its swivel stays as long as the socket's limits allow, else it turns the least that does.
  */
-import { quatInverseMultiply, quatMultiply, quatNormalize, quatRotate } from "../math/quaternion.ts";
+import {
+  quatBetween,
+  quatInverseMultiply,
+  quatMultiply,
+  quatNormalize,
+  quatRotate,
+} from "../math/quaternion.ts";
 import { J } from "../skeleton/joints.ts";
 import { ELBOW_RANGE, holdToLimits, KNEE_RANGE } from "../skeleton/limits.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
@@ -51,6 +57,8 @@ const TRIES = Array.from({ length: 36 }, (_, i) => (((i & 1 ? 1 : -1) * ((i >> 1
  * Closes a limb on a target: local rotations of its two bones are written, places and world rotations of its joints brought up
  * to date.
  *
+ * @param held whether the socket keeps to its limits. Over frames it should not: which swivel is nearest within limits may jump
+ *   from one frame to the next, and a motion's own poses are within them but for a little.
  * @returns the distance left, metres.
  */
 export function closeLimb(
@@ -61,6 +69,7 @@ export function closeLimb(
   tx: number,
   ty: number,
   tz: number,
+  held = true,
 ): number {
   const { upper, parent, a, b, range } = limb;
   const s = 3 * upper;
@@ -81,8 +90,17 @@ export function closeLimb(
   const flexion = Math.acos(cosFlexion);
   const cosSocket = Math.max(-1, Math.min(1, (a * a + reach * reach - b * b) / (2 * a * reach)));
   const sinSocket = Math.sqrt(1 - cosSocket * cosSocket);
-  // The pose's own hinge axis, square to the way to the target.
+  // The pose's own hinge axis, carried along as the whole limb swings from where it points to the target: taken by itself it
+  // would turn about wildly where the way to the target passes near it.
   quatRotate(w, 0, world, 4 * upper, limb.hinge[0], limb.hinge[1], limb.hinge[2]);
+  const ex = positions[s + 6] - hx;
+  const ey = positions[s + 7] - hy;
+  const ez = positions[s + 8] - hz;
+  const e = Math.sqrt(ex * ex + ey * ey + ez * ez);
+  if (e > 1e-6) {
+    quatBetween(w, 24, ex / e, ey / e, ez / e, dx, dy, dz);
+    quatRotate(w, 0, w, 24, w[0], w[1], w[2]);
+  }
   const along = w[0] * dx + w[1] * dy + w[2] * dz;
   let nx = w[0] - along * dx;
   let ny = w[1] - along * dy;
@@ -98,12 +116,27 @@ export function closeLimb(
   nx /= n;
   ny /= n;
   nz /= n;
-  let over = orient(limb, rotations, world, dx, dy, dz, nx, ny, nz, cosSocket, sinSocket, flexion, 0);
+  let over = orient(limb, rotations, world, dx, dy, dz, nx, ny, nz, cosSocket, sinSocket, flexion, 0, held);
   if (over > 0) {
     let best = 0;
     let least = over;
     for (const swivel of TRIES) {
-      over = orient(limb, rotations, world, dx, dy, dz, nx, ny, nz, cosSocket, sinSocket, flexion, swivel);
+      over = orient(
+        limb,
+        rotations,
+        world,
+        dx,
+        dy,
+        dz,
+        nx,
+        ny,
+        nz,
+        cosSocket,
+        sinSocket,
+        flexion,
+        swivel,
+        held,
+      );
       if (over < least) {
         least = over;
         best = swivel;
@@ -112,14 +145,29 @@ export function closeLimb(
     }
     for (let step = Math.PI / 36; least > 0 && step > 0.002; step /= 2) {
       for (const swivel of [best - step, best + step]) {
-        over = orient(limb, rotations, world, dx, dy, dz, nx, ny, nz, cosSocket, sinSocket, flexion, swivel);
+        over = orient(
+          limb,
+          rotations,
+          world,
+          dx,
+          dy,
+          dz,
+          nx,
+          ny,
+          nz,
+          cosSocket,
+          sinSocket,
+          flexion,
+          swivel,
+          held,
+        );
         if (over < least) {
           least = over;
           best = swivel;
         }
       }
     }
-    over = orient(limb, rotations, world, dx, dy, dz, nx, ny, nz, cosSocket, sinSocket, flexion, best);
+    over = orient(limb, rotations, world, dx, dy, dz, nx, ny, nz, cosSocket, sinSocket, flexion, best, held);
   }
   // Local rotations within limits; then the joints' places.
   quatNormalize(rotations, 4 * upper);
@@ -155,6 +203,7 @@ function orient(
   sinSocket: number,
   flexion: number,
   swivel: number,
+  held: boolean,
 ): number {
   const c = Math.cos(swivel);
   const s = Math.sin(swivel);
@@ -190,7 +239,7 @@ function orient(
   w[16] = bone[2] * uz + hinge[2] * mz + rz * vz;
   toQuaternion(w, 20, w, 8);
   quatInverseMultiply(rotations, 4 * limb.upper, world, 4 * limb.parent, w, 20);
-  return holdToLimits(rotations, 4 * limb.upper, limb.upper);
+  return held ? holdToLimits(rotations, 4 * limb.upper, limb.upper) : 0;
 }
 
 /** Quaternion of a matrix given by its three columns. */

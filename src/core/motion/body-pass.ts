@@ -30,11 +30,17 @@ const DT = 1 / CLIP_RATE;
 /** Time in which a join dies out: joints and root; feet's pitch. Seconds. */
 const JOIN_TIME = 0.6;
 const PITCH_TIME = 0.2;
+/** The least of it, and the difference from which it takes the full time, radians. */
+const QUICK_PITCH = 0.08;
+const SETTLING = 0.2;
 /** A foot's pitch in a plant, radians. */
 const LEAST_PITCH = -1.25;
 const MOST_PITCH = 0.6;
 /** A planted foot this near to flat lies flat: captures' feet rest a degree off, and a footstep is where the foot is flat. Radians. */
 const FLAT = (1.2 * Math.PI) / 180;
+/** The same while it lands, radians, and for how long, seconds. */
+const LANDING_FLAT = (3.2 * Math.PI) / 180;
+const LANDING = 0.2;
 /** Part of a pivot on the ball after which its heel comes down: a pivot is a footstep of its own, so the foot rests at its end. */
 const SETTLE = 0.5;
 
@@ -89,12 +95,17 @@ export interface BodyState {
   pitchInertia: [Inertia, Inertia];
   /** Difference of the foot's row to its warped capture where its swing begins: place, rotation vector, toe bend. */
   liftGap: Float64Array;
+  /** ... how fast it changes, a second, and the time since the last planted frame. */
+  liftSpeed: Float64Array;
+  liftAge: [number, number];
   landGap: Float64Array;
   swinging: [boolean, boolean];
   /** A foot that has just pivoted on its ball and now lies flat. */
   settled: [boolean, boolean];
   lastPitch: [number, number];
   lastPitchSpeed: [number, number];
+  /** Seconds since each foot has landed. */
+  landedAge: [number, number];
 }
 
 export function createBodyState(): BodyState {
@@ -103,11 +114,14 @@ export function createBodyState(): BodyState {
     jointInertia: createInertia(3 * JOINT_COUNT),
     pitchInertia: [createInertia(1), createInertia(1)],
     liftGap: new Float64Array(14),
+    liftSpeed: new Float64Array(14),
+    liftAge: [0, 0],
     landGap: new Float64Array(14),
     swinging: [false, false],
     settled: [false, false],
     lastPitch: [0, 0],
     lastPitchSpeed: [0, 0],
+    landedAge: [1, 1],
   };
 }
 
@@ -118,6 +132,7 @@ const v = new Float64Array(8);
 const row = new Float64Array(FOOT_STRIDE);
 const here = createBody();
 const next = createBody();
+const earlier = createBody();
 const FEET = [J.leftFoot, J.rightFoot] as const;
 const TOES = [J.leftToes, J.rightToes] as const;
 
@@ -178,7 +193,10 @@ function mapBody(body: Body, setup: SegmentSetup, source: number): void {
   quatMultiply(body.rotations, 0, q, 0, body.rotations, 0);
 }
 
-/** Sets the offsets so that value and speed go on from the frames before. */
+/**
+ * Sets the offsets so that value and speed go on from the frames before. Both are compared with the capture's own one frame before
+ * the segment: most segments begin as a foot strikes the ground, where speeds before and after differ in any capture.
+ */
 function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): void {
   const frame = setup.segment.start;
   state.swinging[0] = false;
@@ -188,50 +206,50 @@ function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): 
     return;
   }
   const rate = (setup.segment.to - setup.segment.from) / setup.segment.frames;
-  mapBody(here, setup, setup.segment.from);
-  mapBody(next, setup, setup.segment.from + rate);
+  mapBody(here, setup, setup.segment.from - rate);
+  mapBody(earlier, setup, setup.segment.from - 2 * rate);
   const p1 = frame - 1;
   const p2 = Math.max(0, frame - 2);
   const r = state.rootInertia;
   for (let k = 0; k < 3; k++) {
     const before = track.root[3 * p1 + k];
-    const speed = before - track.root[3 * p2 + k];
-    r.value[k] = before + speed - here.root[k];
-    r.speed[k] = (speed - (next.root[k] - here.root[k])) / DT;
+    r.value[k] = before - here.root[k];
+    r.speed[k] = (before - track.root[3 * p2 + k] - (here.root[k] - earlier.root[k])) / DT;
   }
-  r.age = 0;
+  r.age = DT;
   r.length = JOIN_TIME;
   const ji = state.jointInertia;
   if (!setup.continues) {
     for (let j = 0; j < JOINT_COUNT; j++) {
       const a = Q * p1 + 4 * j;
-      // Speed before, and the pose it would have led to.
       quatConjugate(q, 0, track.rotations, Q * p2 + 4 * j);
       quatMultiply(q, 0, track.rotations, a, q, 0);
       quatToRotationVector(v, 0, q, 0);
-      quatMultiply(q, 4, q, 0, track.rotations, a);
-      quatConjugate(q, 8, here.rotations, 4 * j);
-      quatMultiply(q, 12, q, 4, q, 8);
-      quatToRotationVector(v, 3, q, 12);
-      quatMultiply(q, 8, next.rotations, 4 * j, q, 8);
+      quatConjugate(q, 4, here.rotations, 4 * j);
+      quatMultiply(q, 8, track.rotations, a, q, 4);
+      quatToRotationVector(v, 3, q, 8);
+      quatConjugate(q, 4, earlier.rotations, 4 * j);
+      quatMultiply(q, 8, here.rotations, 4 * j, q, 4);
       quatToRotationVector(q, 12, q, 8);
       for (let k = 0; k < 3; k++) {
         ji.value[3 * j + k] = v[3 + k];
         ji.speed[3 * j + k] = (v[k] - q[12 + k]) / DT;
       }
     }
-    ji.age = 0;
+    ji.age = DT;
     ji.length = JOIN_TIME;
   }
   for (let f = 0; f < 2; f++) {
     const inertia = state.pitchInertia[f];
-    const clamp = (p: number) => bearingPitch(setup, p);
-    inertia.value[0] = clamp(state.lastPitch[f] + state.lastPitchSpeed[f]) - clamp(here.pitch[f]);
-    inertia.speed[0] = (state.lastPitchSpeed[f] - (clamp(next.pitch[f]) - clamp(here.pitch[f]))) / DT;
+    const clamp = (p: number) => bearingPitch(setup, p, flatOf(state.landedAge[f]));
+    inertia.value[0] = state.lastPitch[f] - clamp(here.pitch[f]);
+    inertia.speed[0] = (state.lastPitchSpeed[f] - (clamp(here.pitch[f]) - clamp(earlier.pitch[f]))) / DT;
     // A speed that would carry the foot far past its place is not handed on.
     inertia.speed[0] = Math.max(-4, Math.min(4, inertia.speed[0]));
-    inertia.age = 0;
-    inertia.length = PITCH_TIME;
+    inertia.age = DT;
+    // A foot a little off flat settles at once.
+    const size = Math.min(1, Math.abs(inertia.value[0]) / SETTLING);
+    inertia.length = QUICK_PITCH + size * (PITCH_TIME - QUICK_PITCH);
   }
 }
 
@@ -276,7 +294,7 @@ function writeFeet(
     const moving = step !== null && source >= step.start && source < step.end;
     const landed = step !== null && source >= step.end;
     const pi = state.pitchInertia[f];
-    const raw = bearingPitch(setup, here.pitch[f]);
+    const raw = bearingPitch(setup, here.pitch[f], flatOf(state.landedAge[f]));
     if (state.settled[f] && !moving) {
       state.settled[f] = false;
       pi.value[0] = -raw;
@@ -326,54 +344,92 @@ function writeFeet(
     }
     if (!state.swinging[f]) {
       state.swinging[f] = true;
-      startSwing(setup, f, skeleton, state, pitch);
+      startSwing(track, frame, setup, f, source, skeleton, state);
+      state.liftAge[f] = 0;
     }
+    state.liftAge[f] += DT;
     swingFoot(track.feet, o, setup, f, source, here);
     const u = t / (step.end - step.start);
-    const early = u < 0.4 ? 1 - smooth(u / 0.4) : 0;
     const late = u > 0.5 ? smooth((u - 0.5) / 0.5) : 0;
-    addGap(track.feet, o, state.liftGap, 7 * f, early);
+    addLift(track.feet, o, state, f, state.liftAge[f], (LIFT_PART * (step.end - step.start)) / CLIP_RATE);
     addGap(track.feet, o, state.landGap, 7 * f, late);
-    // While it swings the pitch is the capture's: the plant that follows starts from it.
+    // The plant that follows starts from the pitch that the swing has led to.
+    state.landedAge[f] = 0;
     pi.length = 0;
-    state.lastPitchSpeed[f] = raw - state.lastPitch[f];
-    state.lastPitch[f] = raw;
+    const swung = pitchOf(track.feet, o + 3);
+    state.lastPitchSpeed[f] = swung - state.lastPitch[f];
+    state.lastPitch[f] = swung;
   }
   track.contacts[frame] = contacts;
 }
 
+/** What counts as flat, by the seconds since the foot has landed: one that comes down on its toes is let down. */
+const flatOf = (age: number): number =>
+  FLAT + (LANDING_FLAT - FLAT) * (1 - smooth(Math.max(0, Math.min(1, (age - LANDING) / LANDING))));
+
 /** Pitch of a foot that bears: within limits, and flat where the capture's is nearly. */
-function restingPitch(pitch: number): number {
+function restingPitch(pitch: number, flat = FLAT): number {
   const p = Math.max(LEAST_PITCH, Math.min(MOST_PITCH, pitch));
-  const over = Math.abs(p) / FLAT - 1;
+  const over = Math.abs(p) / flat - 1;
   return over >= 2 ? p : over <= 0 ? 0 : p * smooth(over / 2);
 }
 
 /** The same in its segment: where nobody steps, a foot that the capture was about to roll over its heel stays flat. */
-function bearingPitch(setup: SegmentSetup, pitch: number): number {
-  const p = restingPitch(pitch);
+function bearingPitch(setup: SegmentSetup, pitch: number, flat = FLAT): number {
+  const p = restingPitch(pitch, flat);
   return setup.step ? p : Math.min(0, p);
 }
 
 const smooth = (u: number): number => u * u * u * (u * (6 * u - 15) + 10);
 
-/** The gaps between the warped capture and the closed form at both ends of a swing. */
+/**
+ * The gaps between the warped capture and the closed form at both ends of a swing. At the lift the speed counts too: a heel that
+ * rises by its own pitch may be slower than the capture's swing, and a leg that is nearly straight shows every jump at the knee.
+ */
 function startSwing(
+  track: BodyTrack,
+  frame: number,
   setup: SegmentSetup,
   f: 0 | 1,
+  source: number,
   skeleton: Skeleton,
   state: BodyState,
-  pitch: number,
 ): void {
   const step = setup.step!;
-  mapBody(next, setup, step.start);
-  plantedFoot(row, 0, skeleton.foot, setup.planBefore[f], setup.heightBefore[f], pitch);
-  gap(state.liftGap, 7 * f, setup, f, step.start, row);
+  const rate = (setup.segment.to - setup.segment.from) / setup.segment.frames;
+  const g = 7 * f;
+  for (let back = 0; back < 2; back++) {
+    // A plan that begins with a lift has nothing before it.
+    const at = Math.max(0, frame - 1 - back);
+    mapBody(next, setup, source - (1 + back) * rate);
+    for (let k = 0; k < FOOT_STRIDE; k++) row[k] = track.feet[(2 * at + f) * FOOT_STRIDE + k];
+    gap(back === 0 ? state.liftGap : state.liftSpeed, g, setup, f, source - (1 + back) * rate, row);
+  }
+  for (let k = g; k < g + 7; k++) state.liftSpeed[k] = (state.liftGap[k] - state.liftSpeed[k]) / DT;
   mapBody(next, setup, step.end);
   const p = restingPitch(next.pitch[f]);
   plantedFoot(row, 0, skeleton.foot, setup.planAfter[f], setup.heightAfter[f], p);
-  gap(state.landGap, 7 * f, setup, f, step.end, row);
+  gap(state.landGap, g, setup, f, step.end, row);
 }
+
+/** Part of a swing in which what is left of the plant before it dies out. */
+const LIFT_PART = 0.4;
+
+/** What is left of the lift's gap, added to a foot `age` seconds after its last planted frame. */
+function addLift(
+  feet: Float64Array,
+  o: number,
+  state: BodyState,
+  f: 0 | 1,
+  age: number,
+  length: number,
+): void {
+  if (age >= length) return;
+  for (let k = 0; k < 7; k++)
+    left[k] = decay(state.liftGap[7 * f + k], state.liftSpeed[7 * f + k], age, length);
+  addGap(feet, o, left, 0, 1);
+}
+const left = new Float64Array(7);
 
 const swung = new Float64Array(FOOT_STRIDE);
 
@@ -448,4 +504,6 @@ function advance(state: BodyState): void {
   state.jointInertia.age += DT;
   state.pitchInertia[0].age += DT;
   state.pitchInertia[1].age += DT;
+  state.landedAge[0] += DT;
+  state.landedAge[1] += DT;
 }

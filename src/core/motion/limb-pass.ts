@@ -3,8 +3,8 @@
  * arm is too short [TaskLoco §6, Figure 12].
  */
 import { basisAlong, solveLeg } from "../ik/leg.ts";
+import { closeLimb, type Limb, limbsOf } from "../ik/limb.ts";
 import { bendTrunk } from "../ik/trunk.ts";
-import { solveTwoBone } from "../ik/two-bone.ts";
 import { smoothstep } from "../math/interpolate.ts";
 import {
   quatBetween,
@@ -38,6 +38,7 @@ export interface LimbWorkspace {
   hints: Float64Array;
   q: Float64Array;
   hinge: Float64Array;
+  limbs: Limb[] | null;
 }
 
 export function createLimbWorkspace(): LimbWorkspace {
@@ -49,6 +50,7 @@ export function createLimbWorkspace(): LimbWorkspace {
     hints: new Float64Array(12),
     q: new Float64Array(8),
     hinge: new Float64Array(4),
+    limbs: null,
   };
 }
 
@@ -153,38 +155,28 @@ function kneeDirection(h: Float64Array): void {
   h[2] = c * rz + s * sz;
 }
 
-/** Leads the hands to their targets: the trunk bends for what the arms lack, then each arm closes. */
+/**
+ * Leads the hands to their targets: the trunk bends for what the arms lack, then each arm closes. Free arms are only made
+ * hinges, so that an arm that is let go does not change its roll.
+ */
 export function closeArms(w: LimbWorkspace, targets: HandTargets, skeleton: Skeleton): void {
-  if (targets.weight[0] <= 0 && targets.weight[1] <= 0) return;
   // The targets were made for hands that point as they do now, whatever the trunk does.
   for (let side = 0; side < 2; side++) {
     const hand = side === 0 ? J.leftHand : J.rightHand;
     for (let k = 0; k < 4; k++) w.q[4 * side + k] = w.world[4 * hand + k];
   }
-  bendTrunk(w.pose, w.positions, w.world, w.root, skeleton, targets.weight, targets.place);
+  if (targets.weight[0] > 0 || targets.weight[1] > 0)
+    bendTrunk(w.pose, w.positions, w.world, w.root, skeleton, targets.weight, targets.place);
+  w.limbs ??= limbsOf(skeleton);
   for (let side = 0; side < 2; side++) {
-    if (targets.weight[side] <= 0) continue;
     const upper = side === 0 ? J.leftUpperArm : J.rightUpperArm;
     const hand = upper + 2;
-    // A straight elbow points down, out and back.
-    quatRotate(w.hints, 0, w.world, 4 * J.upperChest, side === 0 ? 0.55 : -0.55, -1, -0.25);
-    solveTwoBone(
-      w.pose,
-      0,
-      w.positions,
-      w.world,
-      upper - 1,
-      upper,
-      upper + 1,
-      hand,
-      skeleton.offsets,
-      targets.place[3 * side],
-      targets.place[3 * side + 1],
-      targets.place[3 * side + 2],
-      w.hints,
-      0,
-    );
     rollToHinge(w, upper, side === 0 ? 1 : -1);
+    if (targets.weight[side] > 0) {
+      const t = 3 * side;
+      const { place } = targets;
+      closeLimb(w.limbs[side], w.pose, w.positions, w.world, place[t], place[t + 1], place[t + 2], false);
+    }
     // The hand keeps the way it pointed.
     for (let k = 0; k < 4; k++) w.world[4 * hand + k] = w.q[4 * side + k];
     quatInverseMultiply(w.pose, 4 * hand, w.world, 4 * (upper + 1), w.world, 4 * hand);

@@ -157,7 +157,9 @@ export function measureMotion(
     }
   }
   const pace = paceOf(points.root, points.yaw, frames, 60);
-  const popping = poppingOf(points.rotations, frames, pace.kind);
+  // What stands for most of the time but steps is no standing: real ones that stand never lift a foot.
+  const kind = pace.kind === "stand" && plan.steps.length > 0 ? "all" : pace.kind;
+  const popping = poppingOf(points.rotations, frames, kind);
   const leg = skeleton.legLength - skeleton.foot.ankleHeight;
   const balance = balanceShares(points, skeleton, plan, goals, ground);
   return {

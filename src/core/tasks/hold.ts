@@ -33,6 +33,7 @@ function stillPart(category: TaskCategory, contact: number, end: number): [numbe
  * @param entry the template whose capture performs it; null for standing where one is.
  * @param firstSegment first segment that leads to the task.
  * @param final whether the plan ends with it: a sitter then stays seated.
+ * @param carrying whether a box is held: one who stands then keeps the arms that hold it.
  */
 export function holdAtTask(
   library: Library,
@@ -43,21 +44,13 @@ export function holdAtTask(
   index: number,
   firstSegment: number,
   final: boolean,
+  carrying: boolean,
 ): void {
   const before = timeline.cursor / CLIP_RATE;
   if (!entry) {
-    // Rising from a seat goes on in the capture that sat; standing repeats its last instant's calm.
-    const last = timeline.segments[timeline.segments.length - 1];
-    const clip = last?.clip ?? 0;
-    const source = library.clips[clip];
-    const begin = last ? last.to : 0;
-    const nextStep = source.steps.find((s) => s.start >= begin);
-    const room = Math.max(1, (nextStep ? nextStep.start - 6 : source.clip.frames - 1) - begin);
     const wanted = Math.round((task.duration ?? STAND_FRAMES / CLIP_RATE) * CLIP_RATE);
-    const frames = Math.min(room, wanted);
-    appendHold(timeline, clip, begin, begin + frames, frames, index);
-    if (wanted > frames)
-      appendHold(timeline, clip, begin + frames - 1, begin + frames, wanted - frames, index);
+    if (carrying) standOn(library, timeline, wanted, index);
+    else standIdle(library, timeline, wanted, index);
     tasks.push({
       id: task.id,
       start: before,
@@ -102,4 +95,35 @@ export function holdAtTask(
     clip: entry.clip,
     clipTask: entry.task,
   });
+}
+
+/** Frames before a first step in which a body already shifts its weight. */
+const SHIFT = 24;
+
+/** Standing as captures begin: arms down, both feet flat, breathing; slowed, and begun again where it is not long enough. */
+function standIdle(library: Library, timeline: Timeline, frames: number, index: number): void {
+  const clip = library.clips.findIndex((c) => c.steps.length > 0 && c.steps[0].start >= 2 * SHIFT);
+  if (clip < 0) {
+    standOn(library, timeline, frames, index);
+    return;
+  }
+  const calm = library.clips[clip].steps[0].start - SHIFT;
+  for (let left = frames; left > 0; ) {
+    const now = Math.min(left, SLOWEST * calm);
+    appendHold(timeline, clip, 0, Math.max(1, Math.round(Math.min(calm, now))), now, index);
+    left -= now;
+  }
+}
+
+/** Standing as the capture shown stands, until its next step; beyond that its last instant is held. */
+function standOn(library: Library, timeline: Timeline, frames: number, index: number): void {
+  const last = timeline.segments[timeline.segments.length - 1];
+  const clip = last?.clip ?? 0;
+  const source = library.clips[clip];
+  const begin = last ? last.to : 0;
+  const nextStep = source.steps.find((s) => s.start >= begin);
+  const room = Math.max(1, (nextStep ? nextStep.start - SHIFT : source.clip.frames - 1) - begin);
+  const moving = Math.min(frames, SLOWEST * room);
+  appendHold(timeline, clip, begin, begin + Math.min(room, moving), moving, index);
+  if (frames > moving) appendHold(timeline, clip, begin + room - 1, begin + room, frames - moving, index);
 }

@@ -2,8 +2,7 @@
  * The locomotion phase [TaskLoco Algorithm 1, PlanLocomotionPhase; §5.5 Enter Task Preparation]: steps of category
  * Walk along the route, one by one, then the last ones fitted to the stance that the entry begins from.
  */
-import { wrapAngle } from "../math/angle.ts";
-import { bearing, groundDistance, midPose, toLocal, toWorld } from "../math/frame2.ts";
+import { toLocal, toWorld } from "../math/frame2.ts";
 import type { Foot } from "../steps/types.ts";
 import type { Library } from "../templates/types.ts";
 import { type DraftStep, footPose, otherFoot, stanceBefore } from "./draft.ts";
@@ -104,77 +103,4 @@ export function layWalk(walk: Walk, stance: { x: number; z: number; yaw: number 
     step: walk.step,
     desired: [...walk.desired],
   };
-}
-
-/**
- * How many further walking steps bring the stance foot to its place: as few as keep the step length near the usual
- * one, ending on the right foot [TaskLoco §5.5: an additional step for the wrong foot, two more for a long joining step].
- *
- * @param distance from the foot that last landed to the place, metres.
- * @param last the foot that last landed; null when both have stood for a while.
- * @param stance the foot that the entry's first step leaves standing.
- */
-export function stepsToStance(distance: number, last: Foot | null, stance: Foot, length: number): number {
-  let best = 0;
-  let bestCost = Number.POSITIVE_INFINITY;
-  for (let k = 0; k <= 8; k++) {
-    const ends = last === null ? stance : k % 2 === 0 ? last : otherFoot(last);
-    if (ends !== stance) continue;
-    // From standing either foot may go first; without a step the mismatch is taken up by the entry itself.
-    const cost = k === 0 ? (distance / length) * 2.6 : Math.abs(distance / k / length - 0.92) * 2 + 0.22 * k;
-    if (cost < bestCost) {
-      bestCost = cost;
-      best = k;
-    }
-  }
-  return best;
-}
-
-/**
- * Walking steps from the present feet to a place for the last of them: a guess for the optimiser, heading turned and
- * length shared evenly.
- */
-export function approachSteps(
-  walks: Walks,
-  feet: { left: { x: number; z: number; yaw: number }; right: { x: number; z: number; yaw: number } },
-  first: Foot,
-  count: number,
-  aim: { x: number; z: number; yaw: number },
-  carrying: boolean,
-): DraftStep[] {
-  const out: DraftStep[] = [];
-  const middle = midPose(feet.left, feet.right);
-  const last = count % 2 === 1 ? first : otherFoot(first);
-  const side = last === "left" ? 1 : -1;
-  // The middle line ends beside the aim.
-  const end = toWorld(aim, { x: -side * walks.halfWidth, z: 0, yaw: 0 });
-  const way = groundDistance(middle, end);
-  const course = way > 0.25 * walks.length ? bearing(middle, end) : aim.yaw;
-  let foot = first;
-  let stance = feet[otherFoot(first)];
-  let after: WalkWish["after"] = null;
-  for (let i = 1; i <= count; i++) {
-    const f = i / count;
-    // Heads along the way first and to the aim at the end.
-    const heading = wrapAngle(course + f * f * wrapAngle(aim.yaw - course));
-    const s = foot === "left" ? 1 : -1;
-    const centre = {
-      x: middle.x + f * (end.x - middle.x),
-      z: middle.z + f * (end.z - middle.z),
-      yaw: heading,
-    };
-    const p = toWorld(centre, { x: s * walks.halfWidth, z: 0, yaw: 0 });
-    const local = toLocal(stance, p);
-    const walk = chooseWalk(walks, { foot, forward: local.z, yaw: local.yaw, carrying, after });
-    if (!walk) break;
-    const draft = layWalk(walk, stance);
-    draft.x = p.x;
-    draft.z = p.z;
-    draft.yaw = p.yaw;
-    out.push(draft);
-    stance = p;
-    after = { clip: walk.clip, step: walk.step };
-    foot = otherFoot(foot);
-  }
-  return out;
 }

@@ -13,18 +13,11 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Foot, Footstep } from "../steps/types.ts";
 import { type EntryQuery, retrieveEntry, retrieveExit } from "../templates/retrieve.ts";
 import type { Library, Template } from "../templates/types.ts";
+import { approach, turningStep } from "./approach.ts";
 import { type DraftStep, type Feet, footPose, otherFoot } from "./draft.ts";
 import { holdAtTask } from "./hold.ts";
 import type { Kept } from "./keep.ts";
-import {
-  approachSteps,
-  chooseWalk,
-  layWalk,
-  stepsToStance,
-  type Walks,
-  type WalkWish,
-  walksOf,
-} from "./locomotion.ts";
+import { chooseWalk, layWalk, type Walks, type WalkWish, walksOf } from "./locomotion.ts";
 import { createPhaseWorkspace, optimisePhase, type PhaseGoal } from "./optimise-phase.ts";
 import { pivotEnd, placePivots } from "./pivots.ts";
 import type { OptimisationTrace, Plan } from "./plan-types.ts";
@@ -153,6 +146,7 @@ function planTask(
       index,
       firstSegment,
       followup === null,
+      context.carrying,
     );
     context.lastFoot = null;
     return {
@@ -186,6 +180,7 @@ function planTask(
     index,
     firstSegment,
     followup === null,
+    context.carrying,
   );
   context.lastFoot = entry.template.singleStance ? context.lastFoot : null;
   return {
@@ -195,6 +190,39 @@ function planTask(
     exitClip: entry.template.clip,
     exitTask: entry.template.task,
   };
+}
+
+/** Cost of the best competitor from which on more are looked at. */
+const FAR_OFF = 0.12;
+/** Within this distance a body stands where a template begins, metres. */
+const THERE = 0.3;
+
+/**
+ * What it costs to come to where an entry begins, in the metrics' units (a tenth a metre): they know of places alone, but an
+ * entry that was walked into wants to be walked into the same way, and one that began from standing to be stood at.
+ */
+function approachCost(
+  library: Library,
+  laid: { steps: DraftStep[]; stance: Feet },
+  template: Template,
+  here: GroundPose,
+): number {
+  const aim = midPose(laid.stance.left, laid.stance.right);
+  const way = groundDistance(here, aim);
+  let length = way;
+  const feet: Feet = { ...laid.stance };
+  for (const s of laid.steps) {
+    length += 0.5 * groundDistance(feet[s.foot], s);
+    feet[s.foot] = s;
+  }
+  const cost = 0.04 * length;
+  if (way < THERE) return cost + 0.1 * way + 0.08 * Math.abs(wrapAngle(aim.yaw - here.yaw));
+  const arrival = Math.abs(wrapAngle(aim.yaw - bearing(here, aim)));
+  const source = library.clips[template.clip].steps;
+  const first = source[template.first];
+  const before = source[template.first - 1];
+  const walkedInto = before !== undefined && first.start - before.end < 0.4 * CLIP_RATE;
+  return cost + (walkedInto ? 0 : 0.08) + 0.08 * arrival;
 }
 
 interface Entry {
@@ -236,33 +264,44 @@ function chooseEntry(
   let origin: GroundPoint = from;
   let entry: Entry | null = null;
   for (let round = 0; round < 2; round++) {
-    const competitors = retrieveEntry(library, query(origin), COMPETITORS);
-    const result = compete(
-      library,
-      competitors,
-      (t) => layInTaskFrame(library, t, task.frame).steps,
-      context.obstacles,
-      () => 0,
-    );
+    const rank = (k: number) =>
+      compete(
+        library,
+        retrieveEntry(library, query(origin), k),
+        (t) => layInTaskFrame(library, t, task.frame).steps,
+        context.obstacles,
+        (t) => approachCost(library, layInTaskFrame(library, t, task.frame), t, here),
+      );
+    let result = rank(COMPETITORS);
+    // Where none of the nearest begins as the body stands, those that do lie farther in the metric.
+    if ((result.list[0]?.distance ?? 0) > FAR_OFF) result = rank(4 * COMPETITORS);
     if (!result.winner) return null;
-    const laid = layInTaskFrame(library, result.winner, task.frame);
-    const first = laid.steps[0];
-    const stanceFoot = first ? otherFoot(first.foot) : "left";
-    const aim = laid.stance[stanceFoot];
-    const route = findRoute(here, aim, context.obstacles, CLEARANCE);
+    const made = entryFrom(library, result.winner, task);
+    const route = findRoute(here, made.aim, context.obstacles, CLEARANCE);
     if (route.blocked && round === 1)
       context.plan.warnings.push(
         `tasks[${index}] (${task.category}): no free way leads there; the straight one is taken.`,
       );
-    entry = { template: result.winner, ...laid, stanceFoot, aim, route: route.points, task };
+    entry = { ...made, route: route.points };
     if (round === 1 || route.points.length < 2) {
-      context.plan.candidates.push({ task: index, phase: "enter", list: result.list });
+      context.plan.candidates.push({
+        task: index,
+        phase: "enter",
+        list: result.list.slice(0, COMPETITORS),
+      });
       break;
     }
     // Furniture makes the way come in from its last corner.
     origin = route.points[route.points.length - 2];
   }
   return entry;
+}
+
+/** A template laid at its task, still without a way there. */
+function entryFrom(library: Library, template: Template, task: TaskGoal): Entry {
+  const laid = layInTaskFrame(library, template, task.frame);
+  const stanceFoot = laid.steps[0] ? otherFoot(laid.steps[0].foot) : "left";
+  return { template, ...laid, stanceFoot, aim: laid.stance[stanceFoot], route: [], task };
 }
 
 /** PlanTaskExitPhase: ends early where a step comes inside the enter radius or walks past the entry's stance. */
@@ -341,9 +380,13 @@ function untilNear(
   return steps;
 }
 
+/** Course changes from which on a step has to turn, and how much more than its capture a step may; radians. */
+const SHARP = 0.6;
+const MORE_TURN = 0.45;
+
 /** PlanLocomotionPhase: walking steps along the route, then the preparation of the entry. */
 function planLocomotion(context: Context, entry: Entry, index: number): void {
-  const { walks, feet } = context;
+  const { walks, feet, library } = context;
   if (walks.list.length === 0) return;
   const length = walks.length;
   let via = 0;
@@ -363,8 +406,10 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
     let remaining = groundDistance(middle, goal);
     for (let k = via + 1; k < entry.route.length; k++)
       remaining += groundDistance(entry.route[k - 1], entry.route[k]);
-    if (via === entry.route.length - 1 && remaining < 2.4 * length) break;
     const course = bearing(middle, goal);
+    // Who has to arrive facing elsewhere begins to bend earlier.
+    const bend = Math.abs(wrapAngle(entry.aim.yaw - course));
+    if (via === entry.route.length - 1 && remaining < (2.4 + 0.9 * Math.min(2, bend)) * length) break;
     const foot = context.lastFoot ? otherFoot(context.lastFoot) : towards(feet, course);
     const stance = feet[otherFoot(foot)];
     const turn = wrapAngle(course - stance.yaw);
@@ -376,15 +421,17 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
       carrying: context.carrying,
       after,
     };
-    const walk = chooseWalk(walks, wish);
-    if (!walk) break;
-    const step = layWalk(walk, footPose(stance));
-    optimise(
-      context,
-      [step],
-      { phase: "locomotion", start: leg, goal, goalYaw: bearing(stance, goal), goals: [] },
-      index,
+    // Who walks the other way turns first, by steps that turn.
+    const turning = Math.abs(turn) > SHARP ? turningStep(library, feet, foot, turn, context.carrying) : null;
+    const walk = turning ? null : chooseWalk(walks, wish);
+    if (!turning && !walk) break;
+    const step = turning ?? layWalk(walk!, footPose(stance));
+    // A step turns a little more or less than its capture, not by as much as there is to turn.
+    const most = Math.abs(step.desired[2]) + MORE_TURN;
+    const goalYaw = wrapAngle(
+      stance.yaw + Math.max(-most, Math.min(most, wrapAngle(bearing(stance, goal) - stance.yaw))),
     );
+    optimise(context, [step], { phase: "locomotion", start: leg, goal, goalYaw, goals: [] }, index);
     tidyFootsteps(context.skeleton, feet, [step], context.obstacles);
     fresh.push(step);
     feet[foot] = { foot, x: step.x, y: 0, z: step.z, yaw: step.yaw };
@@ -400,18 +447,19 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
 
 /** Enter Task Preparation: further steps where they are needed, and the last three re-optimised [TaskLoco §5.5]. */
 function prepareEntry(context: Context, entry: Entry, index: number, fresh: DraftStep[], before: Feet): void {
-  const { walks } = context;
-  const feet = context.feet;
-  const last = context.lastFoot;
-  const here = last ? feet[last] : midPose(feet.left, feet.right);
-  const extra = stepsToStance(groundDistance(here, entry.aim), last, entry.stanceFoot, walks.length);
-  if (extra > 0) {
-    const first = extra % 2 === 1 ? entry.stanceFoot : otherFoot(entry.stanceFoot);
-    const steps = approachSteps(walks, feet, first, extra, entry.aim, context.carrying);
-    for (const s of steps) feet[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
-    fresh.push(...steps);
-    if (steps.length > 0) context.lastFoot = steps[steps.length - 1].foot;
-  }
+  const { walks, feet } = context;
+  const steps = approach(
+    context.library,
+    feet,
+    context.lastFoot,
+    { stanceFoot: entry.stanceFoot, stance: entry.stance },
+    context.carrying,
+    context.obstacles,
+  );
+  for (const s of steps) feet[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
+  fresh.push(...steps);
+  if (steps.length > 0) context.lastFoot = steps[steps.length - 1].foot;
+  const extra = steps.length;
   if (fresh.length === 0) return;
   const count = Math.min(3, Math.max(extra, Math.min(fresh.length, 3)));
   const window = fresh.slice(fresh.length - Math.max(count, Math.min(extra, fresh.length)));
@@ -436,8 +484,27 @@ function prepareEntry(context: Context, entry: Entry, index: number, fresh: Draf
     { phase: "enterPreparation", start, goal: entry.aim, goalYaw: entry.aim.yaw, goals },
     index,
   );
+  shareOut(window, entry.aim);
   tidyFootsteps(context.skeleton, from, window, context.obstacles);
   context.feet = saved;
+}
+
+/**
+ * What the optimiser has left between the last step and its place is shared over the steps, growing to the last: walking bears
+ * a few centimetres a step, an entry that begins askew does not.
+ */
+function shareOut(steps: DraftStep[], aim: GroundPose): void {
+  const n = steps.length;
+  const last = steps[n - 1];
+  const x = aim.x - last.x;
+  const z = aim.z - last.z;
+  const turn = wrapAngle(aim.yaw - last.yaw);
+  steps.forEach((s, i) => {
+    const f = (i + 1) / n;
+    s.x += f * x;
+    s.z += f * z;
+    s.yaw = wrapAngle(s.yaw + f * turn);
+  });
 }
 
 /** PlanTaskEntryPhase: the template between the feet that are there and its own places at the task. */
