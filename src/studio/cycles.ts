@@ -114,6 +114,6 @@ export function cyclicScores(): Score[] {
     ...[0.3, -0.3].map((d, i) => sideways(`cycle-side-ahead-${i + 1}`, 225 + i, d, 0.15)),
     ...[0.3, -0.3].map((d, i) => sideways(`cycle-side-back-${i + 1}`, 227 + i, d, -0.15)),
     ...[0.2, 0.32, 0.44].map((d, i) => backwards(`cycle-back-${i + 1}`, 231 + i, d, 0)),
-    ...[10, -10].map((a, i) => backwards(`cycle-back-turn-${i + 1}`, 234 + i, 0.28, a * DEG)),
+    ...[8, -8].map((a, i) => backwards(`cycle-back-turn-${i + 1}`, 234 + i, 0.28, a * DEG)),
   ];
 }

@@ -15,7 +15,7 @@ import {
 import { createRandom } from "../../core/math/random.ts";
 import type { Skeleton } from "../../core/skeleton/skeleton.ts";
 import { shapeOf } from "../gait-shape.ts";
-import { moodOf, type Score } from "../score.ts";
+import { layersOf, moodOf, type Score } from "../score.ts";
 import type { FootTrack } from "./feet.ts";
 import type { Gait } from "./gait.ts";
 
@@ -86,7 +86,8 @@ export function renderBody(
   const apart = 2 * Math.PI * Math.round((turned[1][0] - turned[0][0]) / (2 * Math.PI));
   for (let f = 0; f < frames; f++) facing[f] = (turned[0][f] + turned[1][f] - apart) / 2;
   gaussian(facing, 1, 9);
-  const look = gazeYaw(score, feet, facing, frames);
+  const on = layersOf(score);
+  const look = on.gaze ? gazeYaw(score, feet, facing, frames) : facing;
   const at = (track: Float64Array, t: number) => {
     const x = Math.max(0, Math.min(frames - 1.001, t * CLIP_RATE));
     const i = Math.floor(x);
@@ -130,7 +131,7 @@ export function renderBody(
       scale * (mood.crouch * (0.35 + 0.65 * k) + k * mood.bounce * (0.5 + 0.5 * Math.cos(2 * w - 0.6)));
   }
   singleSteps(b, feet, gait, skeleton, frames);
-  alive(b, score, gait, frames);
+  if (on.alive) alive(b, score, gait, frames);
   return b;
 }
 
