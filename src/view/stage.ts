@@ -29,7 +29,6 @@ import type { Skeleton } from "../core/skeleton/skeleton.ts";
 import type { CharacterMesh } from "./character/build-mesh.ts";
 import { Figure } from "./character/figure.ts";
 import { type Footprint, FootprintLayer, type FootprintMode } from "./footprints.ts";
-import { PathLines } from "./path-lines.ts";
 import { boxMesh, createProp } from "./props.ts";
 import { createRoom, type Room } from "./room.ts";
 import { ROOMS, type Theme } from "./tokens.ts";
@@ -48,7 +47,6 @@ export class Stage {
   readonly camera = new PerspectiveCamera(26, 1, 0.1, 60);
   private readonly controls: OrbitControls;
   private readonly room: Room;
-  private readonly paths = new PathLines();
   private readonly footprints = new FootprintLayer();
   private figure: Figure | null = null;
   private readonly props = new Group();
@@ -79,7 +77,7 @@ export class Stage {
     this.controls.update();
     this.controls.addEventListener("change", () => this.invalidate());
     this.room = createRoom(this.scene, this.renderer);
-    this.scene.add(this.props, this.taskMarks, this.paths.group, this.footprints.group);
+    this.scene.add(this.props, this.taskMarks, this.footprints.group);
     this.setTheme("light");
     canvas.addEventListener("webglcontextrestored", () => {
       this.room.relight();
@@ -99,7 +97,6 @@ export class Stage {
 
   /** Furniture of a scene and the rings under its tasks; `selected` names tasks. */
   setScene(scene: Scene, selected: readonly string[]): void {
-    this.paths.set(scene.paths);
     this.props.clear();
     const lifted = scene.tasks.filter((t) => t.category === "lift");
     for (const p of scene.props) {

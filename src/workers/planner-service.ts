@@ -11,15 +11,14 @@ import { measureMotion } from "../core/quality/measure.ts";
 import type { Scene } from "../core/scene/types.ts";
 import { JOINT_COUNT } from "../core/skeleton/joints.ts";
 import { createSkeleton } from "../core/skeleton/skeleton.ts";
-import type { StrideFamily } from "../core/styles/family.ts";
-import { planPaths, stylesOf } from "../core/styles/plan-paths.ts";
+import { storyOf } from "../core/styles/story.ts";
 import { goalsOf, planScene } from "../core/tasks/plan-scene.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
 import type { TaskGoal } from "../core/tasks/transition.ts";
 import { decodeLibrary } from "../core/templates/library-file.ts";
 import { retargetLibrary } from "../core/templates/retarget-library.ts";
 import type { Library } from "../core/templates/types.ts";
-import { styleFamilies } from "../studio/style-families.ts";
+import { PathPlanner } from "./path-planner.ts";
 import type { PlannerRequest, PlannerResponse } from "./protocol.ts";
 
 /** Frames made between two looks at the inbox, in a worker. */
@@ -71,7 +70,8 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
   const characters = new Map<string, Character>();
   /** The plan that each asker plays, by `client`. */
   const played = new Map<number, Playing>();
-  let families: { key: string; byStyle: Map<string, StrideFamily> } | null = null;
+  const paths = new PathPlanner();
+  let told = false;
   let newest: PlanRequest | null = null;
   let busy = false;
 
@@ -105,18 +105,29 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
 
   /** A scene with paths: the walk along them, in the styles painted; tasks wait until there are no paths. */
   async function answerPaths(request: PlanRequest): Promise<void> {
-    const { scene } = request;
-    const skeleton = createSkeleton(scene.character.height, scene.character.proportions);
+    const { id, scene } = request;
     const begun = performance.now();
-    const { key } = libraryFor(scene);
-    if (families?.key !== key) families = { key, byStyle: new Map() };
-    const missing = stylesOf(scene).filter((style) => !families?.byStyle.has(style));
-    for (const [style, family] of styleFamilies(missing, skeleton)) families.byStyle.set(style, family);
-    const { plan, motion } = planPaths(scene, skeleton, families.byStyle);
+    const walk = await paths.plan(
+      scene,
+      libraryFor(scene).key,
+      request.paths ?? {},
+      (style, done, of) => post({ type: "families", id, style, done, of }),
+      async () => {
+        await pause();
+        return newest === request;
+      },
+    );
+    if (!walk) {
+      post({ type: "dropped", id });
+      return;
+    }
+    const { plan, motion } = walk;
+    const { skeleton } = motion.clip;
     if (scene.tasks.length > 0) plan.warnings.push("paths: tasks wait while a path is followed.");
     played.delete(request.client);
     const { clip, contacts } = motion;
-    post({ type: "planned", id: request.id, plan, planMs: performance.now() - begun, frames: clip.frames });
+    const planMs = performance.now() - begun;
+    post({ type: "planned", id, plan, planMs, frames: clip.frames, story: storyOf(walk) });
     await pause();
     const started = performance.now();
     const chunks: MotionChunk[] = [];
@@ -140,6 +151,10 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     const motionMs = performance.now() - started;
     const quality = measureMotion(skeleton, chunks, clip.frames, plan, []);
     post({ type: "finished", id: request.id, boxes: [], ink: [], quality, motionMs });
+    await pause();
+    if (told || newest !== request) return;
+    told = true;
+    post({ type: "styles", facts: paths.shippedFacts() });
   }
 
   async function answer(request: PlanRequest): Promise<void> {
@@ -231,6 +246,20 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
         if (newest && busy && newest.id !== message.id) post({ type: "overtaken", id: newest.id });
         newest = message;
         void work();
+        break;
+      case "style":
+        try {
+          post({ type: "style", facts: paths.addStyle(message.name, message.file, message.text) });
+        } catch (error) {
+          post({
+            type: "style-failed",
+            name: message.name,
+            message: error instanceof Error ? error.message : String(error),
+          });
+        }
+        break;
+      case "forget-style":
+        paths.forgetStyle(message.name);
         break;
       case "cancel":
         if (newest?.id === message.id) newest = null;

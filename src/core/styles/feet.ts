@@ -6,6 +6,7 @@
  * that takes over place and speed at both ends.
  */
 import { wrapAngle } from "../math/angle.ts";
+import { smoothstep, softEnvelope } from "../math/interpolate.ts";
 import { contactsOfPitch, plantedAnkle } from "../motion/sole.ts";
 import type { FootShape } from "../skeleton/skeleton.ts";
 import type { Foot } from "../steps/types.ts";
@@ -57,6 +58,9 @@ export function createFeetTrack(frames: number): FeetTrack {
 const FLAT = 0.12;
 /** Clearance of a swinging sole, metres at a leg of 0.93 m. */
 const CLEAR = 0.008;
+/** A foot that would scrape is raised over so many frames either side; in the first and last share of its way it is not. */
+const LIFT_OVER = 6;
+const LIFT_ENDS = 5;
 /** Largest speed difference that the way between plants takes over, metres a frame. */
 const MOST_SPEED = 0.012;
 
@@ -183,7 +187,7 @@ function swing(
   const last = before ? before.to - 1 : -1;
   const next = after ? after.from : track.frames;
   const length = next - last;
-  let lack = 0;
+  const need = new Float64Array(Math.max(0, length - 1));
   for (let f = last + 1; f < next; f++) {
     const u = (f - last) / length;
     const v = 1 - u;
@@ -204,17 +208,18 @@ function swing(
       else if (k === 3) track.yaw[i] += d;
       else track.toeBend[i] += d;
     }
-    const bump = Math.sin(Math.PI * u) ** 2;
     const wanted = CLEAR * (leg / 0.93) * Math.min(1, 6 * u, 6 * v);
     const low = track.ankle[p + 1] + lowestOf(shape, track.pitch[i], track.toeBend[i]);
-    if (bump > 0.1) lack = Math.max(lack, (wanted - low) / bump);
+    need[f - last - 1] = Math.max(0, wanted - low);
   }
+  // Raised where it would scrape, softly, and nowhere else.
+  const lift = softEnvelope(need, Math.max(2, Math.min(LIFT_OVER, length >> 2)));
   for (let f = last + 1; f < next; f++) {
     const u = (f - last) / length;
     const i = 2 * f + side;
     const p = 6 * f + 3 * side;
-    track.ankle[p + 1] += lack * Math.sin(Math.PI * u) ** 2;
-    // What the bump does not reach, near the ends: the toes give way, then the ankle.
+    track.ankle[p + 1] += lift[f - last - 1] * smoothstep(LIFT_ENDS * u) * smoothstep(LIFT_ENDS * (1 - u));
+    // What this does not reach, near the ends: the toes give way, then the ankle.
     const heelAndBall = track.ankle[p + 1] + lowestOf(shape, track.pitch[i], 1);
     if (heelAndBall < 0) track.ankle[p + 1] -= heelAndBall;
     for (let k = 0; k < 8; k++) {

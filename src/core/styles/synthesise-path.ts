@@ -18,6 +18,7 @@ import type { ContactTrack } from "../steps/types.ts";
 import { balanceOnPath } from "./balance.ts";
 import { MEMBER_ROW, readFamily, type StrideFamily } from "./family.ts";
 import { constrainFeet, createFeetTrack, findPlants, freeFeet, type StylePlant } from "./feet.ts";
+import { easeKnees } from "./knees.ts";
 import { leanAlong } from "./lean.ts";
 import type { LoopSequence } from "./loop.ts";
 import { type MotionPath, placeOnPath, readPath } from "./path.ts";
@@ -30,6 +31,8 @@ export interface PathOptions extends TimelineOptions {
   feet: boolean;
   /** The body leans into turns. */
   lean: boolean;
+  /** The hips keep the sample's sway about the path [Express §6.3]; else they are drawn along it. */
+  displacement: boolean;
   /** The zero-moment point is brought back over the planted feet. */
   balance: boolean;
 }
@@ -40,6 +43,7 @@ export const PATH_DEFAULTS: PathOptions = {
   stand: true,
   feet: true,
   lean: true,
+  displacement: true,
   balance: true,
 };
 
@@ -50,6 +54,8 @@ export interface PathMotion {
   timeline: Timeline;
   /** Lean a frame, radians towards the path's left. */
   lean: Float64Array;
+  /** How far the hips leave the sample's own offset from the path across it at most, metres. */
+  offset: number;
 }
 
 const Q = 4 * JOINT_COUNT;
@@ -87,19 +93,40 @@ export function synthesisePath(
   const feet = createFeetTrack(n);
   feet.down.set(timeline.down);
   const knees = new Float64Array(6 * n);
-  layFrames(clip, path, families, timeline, lean, feet, knees);
+  layFrames(clip, path, families, timeline, lean, feet, knees, o.displacement);
+  const laid = clip.root.slice();
   const plants = findPlants(feet);
   if (o.feet) constrainFeet(feet, plants, skeleton.foot, skeleton.legLength);
   else freeFeet(feet, skeleton.foot);
   reachFeet(clip, feet.ankle);
   closeLegs(clip, feet, knees);
   if (o.feet && o.balance) {
-    const heading = timeline.at.map((s) => readPath(path, path.heading, s));
+    const heading = timeline.at.map((s) => readPath(path, path.tangent, s));
     balanceOnPath(clip, plants, feet.contacts, heading, () => closeLegs(clip, feet, knees));
     reachFeet(clip, feet.ankle);
     closeLegs(clip, feet, knees);
   }
-  return { clip, contacts: feet.contacts, plants, timeline, lean };
+  if (o.feet && easeKnees(clip, feet, plants)) closeLegs(clip, feet, knees);
+  return {
+    clip,
+    contacts: feet.contacts,
+    plants,
+    timeline,
+    lean,
+    offset: offsetOf(clip.root, laid, path, timeline.at),
+  };
+}
+
+/** Largest distance between two ways of the hips across a path, metres. */
+function offsetOf(root: Float64Array, laid: Float64Array, path: MotionPath, at: Float64Array): number {
+  let most = 0;
+  for (let f = 0; f < at.length; f++) {
+    const t = readPath(path, path.tangent, at[f]);
+    const across =
+      Math.cos(t) * (root[3 * f] - laid[3 * f]) - Math.sin(t) * (root[3 * f + 2] - laid[3 * f + 2]);
+    most = Math.max(most, Math.abs(across));
+  }
+  return most;
 }
 
 /** A loop's row with the legs of the stride wanted, to `row`; `member` is work. */
@@ -183,6 +210,7 @@ function layFrames(
   lean: Float64Array,
   feet: ReturnType<typeof createFeetTrack>,
   knees: Float64Array,
+  displacement: boolean,
 ): void {
   const { skeleton } = clip;
   const row = new Float64Array(ROW);
@@ -215,11 +243,13 @@ function layFrames(
     const tilt = lean[f];
     const yaw = readPath(path, path.heading, s);
     // Hips: on the path's own offset. The lean turns the body about them.
-    placeOnPath(p, path, s + row[0]);
-    const t = readPath(path, path.heading, s + row[0]);
-    clip.root[3 * f] = p[0] + Math.cos(t) * row[1];
+    const ahead = displacement ? row[0] : 0;
+    const left = displacement ? row[1] : 0;
+    placeOnPath(p, path, s + ahead);
+    const t = readPath(path, path.heading, s + ahead);
+    clip.root[3 * f] = p[0] + Math.cos(t) * left;
     clip.root[3 * f + 1] = row[2] * Math.cos(tilt);
-    clip.root[3 * f + 2] = p[1] - Math.sin(t) * row[1];
+    clip.root[3 * f + 2] = p[1] - Math.sin(t) * left;
     quatFromYawPitchRoll(q, 0, yaw, 0, -tilt);
     const r = Q * f;
     quatMultiply(clip.rotations, r, q, 0, row, QUATS);

@@ -1,10 +1,28 @@
-/** Paths: drawn on the floor, painted with styles [Express]. */
-import { pathThings } from "../things/paths.ts";
+/** Paths: drawn on the floor, bent, painted with styles, timed [Express]. */
+import { styleImport, styleImportFor } from "../formats/style-bvh.ts";
+import { pathLanes } from "../lanes/paths.ts";
+import { pathBandLayer } from "../layers/path-bands.ts";
+import { pathTab } from "../panels/path.ts";
+import { deskOf } from "../paths/path-desk.ts";
+import { pathPointThings, pathThings } from "../things/paths.ts";
 import { pathTool } from "../tools/path.ts";
 import type { Feature } from "./feature.ts";
 
 export const paths: Feature = {
   id: "paths",
   tools: [pathTool],
-  things: [pathThings],
+  things: [pathThings, pathPointThings],
+  tabs: [pathTab],
+  lanes: pathLanes,
+  layers: [pathBandLayer],
+  imports: [styleImport],
+  start(e) {
+    deskOf(e);
+    styleImportFor(e);
+    // The timeline is taller while there is a walk to time.
+    const follow = () =>
+      document.documentElement.classList.toggle("with-path", e.store.getState().scene.paths.length > 0);
+    e.store.subscribe(follow);
+    follow();
+  },
 };

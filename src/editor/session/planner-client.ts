@@ -10,6 +10,9 @@ export interface PlannerClientEvents {
   restarted(): void;
 }
 
+type StyleRequest = Extract<PlannerRequest, { type: "style" }>;
+type Wishes = Pick<Extract<PlannerRequest, { type: "plan" }>, "paths">;
+
 /** Restarts in a row after which the worker is left alone. */
 const MOST_RESTARTS = 3;
 
@@ -19,6 +22,8 @@ export class PlannerClient {
   private newest: Extract<PlannerRequest, { type: "plan" }> | null = null;
   private restarts = 0;
   private ready = false;
+  /** The visitor's styles, by name: a worker that takes over is told of them again. */
+  private readonly styles = new Map<string, StyleRequest>();
 
   constructor(
     private readonly libraryUrl: string,
@@ -52,6 +57,7 @@ export class PlannerClient {
       if (worker === this.worker) this.restart();
     };
     this.send({ type: "load", url: this.libraryUrl });
+    for (const style of this.styles.values()) this.send(style);
   }
 
   /** Replaces the worker; the newest request is sent again once the library is loaded. */
@@ -73,10 +79,22 @@ export class PlannerClient {
     this.worker?.postMessage(request);
   }
 
+  /** A straight sample becomes a style; answered by `style` or `style-failed`. */
+  addStyle(name: string, file: string, text: string): void {
+    const request: StyleRequest = { type: "style", name, file, text };
+    this.styles.set(name, request);
+    this.send(request);
+  }
+
+  /** Takes a style back; one that failed is forgotten too. */
+  forgetStyle(name: string): void {
+    if (this.styles.delete(name)) this.send({ type: "forget-style", name });
+  }
+
   /** Asks for a plan; what was asked before is overtaken. @returns the request's id. */
-  plan(scene: Scene, now: number | null): number {
+  plan(scene: Scene, now: number | null, wishes: Wishes = {}): number {
     const id = this.nextId++;
-    this.newest = { type: "plan", id, client: 0, scene, now, fromFrame: 0 };
+    this.newest = { type: "plan", id, client: 0, scene, now, fromFrame: 0, ...wishes };
     if (this.ready) this.send(this.newest);
     return id;
   }
