@@ -55,71 +55,105 @@ export function featuresOf(track: MotionTrack, o: FeatureOptions): Float32Array 
 
 const clamp = (f: number, n: number): number => (f < 0 ? 0 : f >= n ? n - 1 : f);
 
+/** The examples of one frame of a track: examplesPerFrame x featureSize. */
+export function featuresOfFrame(track: MotionTrack, frame: number, o: FeatureOptions): Float32Array {
+  const out = new Float32Array(examplesPerFrame(o) * featureSize(o));
+  if (o.set === "paper") {
+    paperRow(out, 0, track, frame, o.half);
+    return out;
+  }
+  const offsets = offsetsOf(o.half);
+  for (let side = 0; side < 2; side++)
+    ownRow(out, side * featureSize(o), footRows(track, side), track.frames, frame, offsets);
+  return out;
+}
+
 function paperFeatures(track: MotionTrack, half: number): Float32Array {
   const size = (2 * half + 1) * 18;
   const out = new Float32Array(track.frames * size);
+  for (let f = 0; f < track.frames; f++) paperRow(out, f * size, track, f, half);
+  return out;
+}
+
+function paperRow(out: Float32Array, at: number, track: MotionTrack, f: number, half: number): void {
   const unit = 1 / track.leg;
-  let i = 0;
-  for (let f = 0; f < track.frames; f++) {
-    const x = track.root[4 * f];
-    const y = track.root[4 * f + 1];
-    const z = track.root[4 * f + 2];
-    const c = Math.cos(track.root[4 * f + 3]);
-    const s = Math.sin(track.root[4 * f + 3]);
-    for (let k = -half; k <= half; k++) {
-      const g = clamp(f + k, track.frames);
-      for (let side = 0; side < 2; side++) {
-        const base = (2 * g + side) * LEG_ROW;
-        for (let p = 0; p < 9; p += 3) {
-          const dx = track.points[base + p] - x;
-          const dz = track.points[base + p + 2] - z;
-          out[i++] = (c * dx - s * dz) * unit;
-          out[i++] = (track.points[base + p + 1] - y) * unit;
-          out[i++] = (s * dx + c * dz) * unit;
-        }
+  const x = track.root[4 * f];
+  const y = track.root[4 * f + 1];
+  const z = track.root[4 * f + 2];
+  const c = Math.cos(track.root[4 * f + 3]);
+  const s = Math.sin(track.root[4 * f + 3]);
+  let i = at;
+  for (let k = -half; k <= half; k++) {
+    const g = clamp(f + k, track.frames);
+    for (let side = 0; side < 2; side++) {
+      const base = (2 * g + side) * LEG_ROW;
+      for (let p = 0; p < 9; p += 3) {
+        const dx = track.points[base + p] - x;
+        const dz = track.points[base + p + 2] - z;
+        out[i++] = (c * dx - s * dz) * unit;
+        out[i++] = (track.points[base + p + 1] - y) * unit;
+        out[i++] = (s * dx + c * dz) * unit;
       }
     }
   }
-  return out;
 }
 
 function ownFeatures(track: MotionTrack, half: number): Float32Array {
   const offsets = offsetsOf(half);
   const size = offsets.length * OWN_ROW;
   const n = track.frames;
-  const scale = track.leg / 0.93;
   const out = new Float32Array(2 * n * size);
-  const rows = new Float64Array(n * OWN_ROW);
-  const heights = new Float64Array(n);
   for (let side = 0; side < 2; side++) {
-    const drift = driftOf(track, side);
-    SOLE.forEach((point, c) => {
-      const at = (f: number, k: number): number =>
-        track.points[(2 * f + side) * LEG_ROW + point + k] - drift[3 * f + k];
-      for (let f = 0; f < n; f++) heights[f] = at(f, 1);
-      const floor = lowest(heights, FLOOR);
-      for (let f = 0; f < n; f++) {
-        const a = Math.max(0, f - 1);
-        const b = Math.min(n - 1, f + 1);
-        const speed =
-          (Math.hypot(at(b, 0) - at(a, 0), at(b, 1) - at(a, 1), at(b, 2) - at(a, 2)) * 60) /
-          Math.max(1, b - a);
-        rows[f * OWN_ROW + c] = Math.log1p(Math.max(0, heights[f] - floor[f]) / (HEIGHT * scale));
-        rows[f * OWN_ROW + 3 + c] = Math.log1p(speed / (SPEED * scale));
-      }
-    });
-    for (let f = 0; f < n; f++) {
-      let i = (2 * f + side) * size;
-      for (const k of offsets) {
-        const g = clamp(f + k, n) * OWN_ROW;
-        // What is near in time says most.
-        const weight = 1 / (1 + Math.abs(k) / 3);
-        for (let c = 0; c < OWN_ROW; c++) out[i++] = rows[g + c] * weight;
-      }
-    }
+    const rows = footRows(track, side);
+    for (let f = 0; f < n; f++) ownRow(out, (2 * f + side) * size, rows, n, f, offsets);
   }
   return out;
 }
+
+function ownRow(
+  out: Float32Array,
+  at: number,
+  rows: Float64Array,
+  n: number,
+  f: number,
+  offsets: readonly number[],
+): void {
+  let i = at;
+  for (const k of offsets) {
+    const g = clamp(f + k, n) * OWN_ROW;
+    // What is near in time says most.
+    const weight = 1 / (1 + Math.abs(k) / 3);
+    for (let c = 0; c < OWN_ROW; c++) out[i++] = rows[g + c] * weight;
+  }
+}
+
+/** Heights and speeds of a foot's points in logarithm, frames x OWN_ROW. */
+function footRows(track: MotionTrack, side: number): Float64Array {
+  const n = track.frames;
+  const scale = track.leg / 0.93;
+  const rows = new Float64Array(n * OWN_ROW);
+  const heights = new Float64Array(n);
+  const drift = driftOf(track, side);
+  SOLE.forEach((point, c) => {
+    const at = (f: number, k: number): number =>
+      track.points[(2 * f + side) * LEG_ROW + point + k] - drift[3 * f + k];
+    for (let f = 0; f < n; f++) heights[f] = at(f, 1);
+    const floor = lowest(heights, FLOOR);
+    for (let f = 0; f < n; f++) {
+      const a = Math.max(0, f - 1);
+      const b = Math.min(n - 1, f + 1);
+      const speed =
+        (Math.hypot(at(b, 0) - at(a, 0), at(b, 1) - at(a, 1), at(b, 2) - at(a, 2)) * 60) / Math.max(1, b - a);
+      rows[f * OWN_ROW + c] = Math.log1p(Math.max(0, heights[f] - floor[f]) / (HEIGHT * scale));
+      rows[f * OWN_ROW + 3 + c] = Math.log1p(speed / (SPEED * scale));
+    }
+  });
+  return rows;
+}
+
+/** Frames before a frame that its features look at. */
+export const lookBack = (o: FeatureOptions): number =>
+  o.set === "paper" ? o.half : o.half + Math.max(FLOOR, REST + 3 * DRIFT_SOFT + 1);
 
 /** Half of the time in which a foot is expected to rest once, frames, and softness of the drift found, frames. */
 const REST = 32;
