@@ -114,6 +114,7 @@ const crowd = object({
 });
 
 const edit = object({
+  task: v.optional(v.nullable(id), null),
   step: v.pipe(within(0, 100000), v.integer("a whole number is needed")),
   foot: v.optional(v.nullable(oneOf(FEET)), null),
   position: v.optional(v.nullable(point3), null),

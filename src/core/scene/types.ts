@@ -64,14 +64,20 @@ export interface CrowdSpec {
   }[];
 }
 
-/** A planned footstep that the user changed. `step`: its index in the plan it was made on. */
+/** A planned footstep that the user changed; null fields are the planner's. */
 export interface FootstepEdit {
+  /** Id of the task that the step leads to; null: `step` counts from the plan's first. */
+  task: string | null;
+  /** Its count, from 0, among the steps that lead to the task. */
   step: number;
+  /** The other foot takes this step of a walk. */
   foot: Foot | null;
   position: [number, number, number] | null;
   yaw: number | null;
+  /** Seconds; land less lift is how long the foot is in the air. */
   lift: number | null;
   land: number | null;
+  /** Kept in place even where the plan about it moves away, up to 1.6 m. */
   pinned: boolean;
 }
 

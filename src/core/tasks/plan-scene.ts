@@ -4,6 +4,7 @@ import { obstacles } from "../scene/props.ts";
 import type { Scene, SceneTask } from "../scene/types.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Library } from "../templates/types.ts";
+import { applyEdits, feetWished } from "./edits.ts";
 import { keepBegun } from "./keep.ts";
 import { planTasks } from "./plan.ts";
 import type { Plan } from "./plan-types.ts";
@@ -73,7 +74,12 @@ export function planScene(
       );
     }
   });
+  const wished = feetWished(
+    scene.edits,
+    goals.map((g) => g.id),
+  );
   let plan: Plan | null = null;
+  let begun = 0;
   if (playing && playing.now > 0) {
     const kept = keepBegun(playing.plan, playing.now);
     const unchanged = kept.done.every(
@@ -85,15 +91,18 @@ export function planScene(
         ),
     );
     if (unchanged && kept.done.length < goals.length) {
+      begun = kept.steps.length;
       plan = planTasks({
         ...common,
+        feetWished: wished,
         kept,
         keptTask: goals[kept.done.length - 1] ?? null,
         tasks: goals.slice(kept.done.length),
       });
     }
   }
-  plan ??= planTasks({ ...common, kept: null, keptTask: null, tasks: goals });
+  plan ??= planTasks({ ...common, feetWished: wished, kept: null, keptTask: null, tasks: goals });
+  applyEdits(plan, scene.edits, skeleton, begun);
   plan.warnings.unshift(...warnings);
   return plan;
 }

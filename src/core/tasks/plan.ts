@@ -47,9 +47,12 @@ export interface PlanInput {
   keptTask: TaskGoal | null;
   /** Whether to record the optimiser's terms. */
   trace: boolean;
+  /** Feet that the user asks for, by "task index:count of the step among those that lead to it". */
+  feetWished?: ReadonlyMap<string, Foot>;
 }
 
 interface Context {
+  feetWished: ReadonlyMap<string, Foot>;
   library: Library;
   skeleton: Skeleton;
   walks: Walks;
@@ -87,6 +90,7 @@ export function planTasks(input: PlanInput): Plan {
     warnings: [],
   };
   const context: Context = {
+    feetWished: input.feetWished ?? new Map(),
     library,
     skeleton,
     walks,
@@ -394,6 +398,7 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
   let after: WalkWish["after"] = lastSegment(context);
   const firstStep = context.timeline.steps.length;
   const fresh: DraftStep[] = [];
+  const earlier = context.timeline.steps.reduce((n, s) => (s.task === index ? n + 1 : n), 0);
   const beforeLocomotion: Feet = { ...feet };
   const beforeFoot = context.lastFoot;
   for (let guard = 0; guard < MOST_STEPS; guard++) {
@@ -410,7 +415,9 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
     // Who has to arrive facing elsewhere begins to bend earlier.
     const bend = Math.abs(wrapAngle(entry.aim.yaw - course));
     if (via === entry.route.length - 1 && remaining < (2.4 + 0.9 * Math.min(2, bend)) * length) break;
-    const foot = context.lastFoot ? otherFoot(context.lastFoot) : towards(feet, course);
+    const foot =
+      context.feetWished.get(`${index}:${earlier + fresh.length}`) ??
+      (context.lastFoot ? otherFoot(context.lastFoot) : towards(feet, course));
     const stance = feet[otherFoot(foot)];
     const turn = wrapAngle(course - stance.yaw);
     const wish: WalkWish = {
@@ -438,28 +445,49 @@ function planLocomotion(context: Context, entry: Entry, index: number): void {
     context.lastFoot = foot;
     after = { clip: step.clip, step: step.step };
   }
-  prepareEntry(context, entry, index, fresh, beforeLocomotion);
+  prepareEntry(context, entry, index, fresh, beforeLocomotion, earlier);
   context.feet = beforeLocomotion;
   context.lastFoot = beforeFoot;
   for (const s of fresh) lay(context, s, index, null);
   for (const t of context.plan.traces) if (t.first < 0) t.first = firstStep;
 }
 
+/** Feet asked for that one approach answers at most. */
+const MOST_WISHES = 8;
+
 /** Enter Task Preparation: further steps where they are needed, and the last three re-optimised [TaskLoco §5.5]. */
-function prepareEntry(context: Context, entry: Entry, index: number, fresh: DraftStep[], before: Feet): void {
+function prepareEntry(
+  context: Context,
+  entry: Entry,
+  index: number,
+  fresh: DraftStep[],
+  before: Feet,
+  earlier: number,
+): void {
   const { walks, feet } = context;
-  const steps = approach(
-    context.library,
-    feet,
-    context.lastFoot,
-    { stanceFoot: entry.stanceFoot, stance: entry.stance },
-    context.carrying,
-    context.obstacles,
-  );
-  for (const s of steps) feet[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
-  fresh.push(...steps);
-  if (steps.length > 0) context.lastFoot = steps[steps.length - 1].foot;
-  const extra = steps.length;
+  let extra = 0;
+  // A foot asked for on the way breaks the approach there; the rest is searched anew from that foot.
+  for (let wishes = 0; wishes < MOST_WISHES; wishes++) {
+    const steps = approach(
+      context.library,
+      feet,
+      context.lastFoot,
+      { stanceFoot: entry.stanceFoot, stance: entry.stance },
+      context.carrying,
+      context.obstacles,
+    );
+    const wish = (k: number): Foot | undefined =>
+      context.feetWished.get(`${index}:${earlier + fresh.length + k}`);
+    const broken = steps.findIndex((s, k) => (wish(k) ?? s.foot) !== s.foot);
+    const wished = broken < 0 ? undefined : wish(broken);
+    const kept = broken < 0 ? steps : steps.slice(0, broken);
+    for (const s of kept) feet[s.foot] = { foot: s.foot, x: s.x, y: 0, z: s.z, yaw: s.yaw };
+    fresh.push(...kept);
+    if (kept.length > 0) context.lastFoot = kept[kept.length - 1].foot;
+    extra += kept.length;
+    if (wished === undefined) break;
+    context.lastFoot = otherFoot(wished);
+  }
   if (fresh.length === 0) return;
   const count = Math.min(3, Math.max(extra, Math.min(fresh.length, 3)));
   const window = fresh.slice(fresh.length - Math.max(count, Math.min(extra, fresh.length)));
