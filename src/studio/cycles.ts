@@ -14,6 +14,8 @@ const ADULT: Actor = { height: REFERENCE_HEIGHT, proportions: DEFAULT_PROPORTION
 /** Steps of each clip between its first and its last. */
 const STEPS = 8;
 
+const JOG: Partial<Pace> = { length: 0.8, time: 0.385, stance: 0.46, width: 0.08 };
+
 /** Comfortable pace at a speed: length and time share the change, stance shortens [Grieve and Gear 1966]. */
 export function paceAt(speed: number): Partial<Pace> {
   const length = 0.635 * (speed / 1.15) ** 0.42;
@@ -63,6 +65,38 @@ function spot(name: string, seed: number, each: number): Score {
   return finish(w);
 }
 
+/**
+ * Walks ahead by `length` a step with the feet `half` off the line, drifting sideways by `drift` a step, to the left positive,
+ * without turning.
+ */
+function drifting(
+  name: string,
+  seed: number,
+  length: number,
+  half: number,
+  drift: number,
+  pace: Partial<Pace> | null = null,
+): Score {
+  const w = createWalker(name, seed, { x: 0, z: 0, yaw: 0 }, pace ? { ...ADULT, pace } : ADULT);
+  // The foot on the side it drifts to opens; the other one follows.
+  let foot = drift >= 0 ? ("left" as const) : ("right" as "left" | "right");
+  const at = { x: 0, z: 0 };
+  for (let k = 0; k < STEPS + 2; k++) {
+    // A runner takes some steps to come up to speed, and to slow down.
+    const share = k === 0 ? 0.6 : pace ? Math.min(1, 0.5 + 0.2 * k, 0.5 + 0.2 * (STEPS + 1 - k)) : 1;
+    at.x += drift * share * w.scale;
+    at.z += length * share * w.scale;
+    step(w, foot, pace ? "run" : "walk", {
+      x: at.x + sideOf(foot) * half * w.scale,
+      z: at.z,
+      yaw: sideOf(foot) * 0.1,
+    });
+    foot = other(foot);
+  }
+  closeFeet(w, foot);
+  return finish(w);
+}
+
 /** Steps sideways by `width` metres each pair, to the left positive, drifting ahead by `ahead`. */
 function sideways(name: string, seed: number, width: number, ahead: number): Score {
   const w = createWalker(name, seed, { x: 0, z: 0, yaw: 0 }, ADULT);
@@ -106,8 +140,14 @@ function closeFeet(w: ReturnType<typeof createWalker>, foot: "left" | "right"): 
 export function cyclicScores(): Score[] {
   return [
     ...[0.7, 0.9, 1.15, 1.4, 1.6].map((v, i) => straight(`cycle-walk-${i + 1}`, 201 + i, paceAt(v))),
-    straight("cycle-jog", 206, { length: 0.8, time: 0.385, stance: 0.46, width: 0.08 }),
+    ...[0.26, 0.4].map((d, i) => drifting(`cycle-short-${i + 1}`, 241 + i, d, 0.07, 0)),
+    ...[0.3, 0.55].map((d, i) => drifting(`cycle-wide-${i + 1}`, 243 + i, d, 0.15, 0)),
+    ...[0.16, -0.16].map((d, i) => drifting(`cycle-drift-${i + 1}`, 245 + i, 0.42, 0.08, d)),
+    ...[0.28, -0.28].map((d, i) => drifting(`cycle-drift-${i + 3}`, 247 + i, 0.52, 0.09, d)),
+    straight("cycle-jog", 206, JOG),
+    ...[0.16, -0.16].map((d, i) => drifting(`cycle-jog-${i + 2}`, 249 + i, 0.8, 0.05, d, JOG)),
     straight("cycle-run", 207, { length: 1.15, time: 0.375, stance: 0.37, width: 0.06 }),
+    straight("cycle-run-2", 208, { length: 0.97, time: 0.378, stance: 0.4, width: 0.07 }),
     ...[1.1, -1.1, 2.2, -2.2].map((r, i) => curve(`cycle-curve-${i + 1}`, 211 + i, r)),
     ...[28, -28, 50, -50].map((a, i) => spot(`cycle-spot-${i + 1}`, 215 + i, a * DEG)),
     ...[0.22, -0.22, 0.4, -0.4].map((d, i) => sideways(`cycle-side-${i + 1}`, 221 + i, d, 0)),

@@ -1,5 +1,8 @@
 /** `plan`: scenes into footsteps and whole motions. */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { joinMotions, type PlannedMotion, risen, standingAfter } from "../../core/blending/join.ts";
+import { type BlendLibrary, bakeLibrary } from "../../core/blending/library.ts";
+import { planStones } from "../../core/blending/plan-stones.ts";
 import { writeBvh } from "../../core/capture/bvh-write.ts";
 import { beginSynthesis, type SwingCache, synthesiseClip } from "../../core/motion/synthesise.ts";
 import { measureMotion } from "../../core/quality/measure.ts";
@@ -13,6 +16,7 @@ import { buildLibrary } from "../../core/templates/build-library.ts";
 import { decodeLibrary, encodeLibrary } from "../../core/templates/library-file.ts";
 import { retargetLibrary } from "../../core/templates/retarget-library.ts";
 import type { Library } from "../../core/templates/types.ts";
+import { cyclicSources } from "../../studio/blend-library.ts";
 import { styleFamilies } from "../../studio/style-families.ts";
 import { needed, one, outputs, readOptions } from "../args.ts";
 import { readText } from "../read.ts";
@@ -30,33 +34,43 @@ function shippedLibrary(): Library {
   return decodeLibrary(readFileSync(SHIPPED));
 }
 
-/** A scene's paths: footsteps and motion, written as a plan's are. */
-function planAlongPaths(
-  scene: Scene,
-  skeleton: Skeleton,
-  name: string,
-  out: string,
-  bvh: string | undefined,
-) {
-  const { plan, motion } = planPaths(scene, skeleton, styleFamilies(stylesOf(scene), skeleton));
-  const clip = { ...motion.clip, name };
-  const chunk = {
-    first: 0,
-    frames: clip.frames,
-    root: Float32Array.from(clip.root),
-    rotations: Float32Array.from(clip.rotations),
-    contacts: motion.contacts,
+/** What is kept from scene to scene for one character. */
+interface Character {
+  skeleton: Skeleton;
+  library: () => Library;
+  blends: () => BlendLibrary;
+  cache: SwingCache;
+}
+
+/** A value made when it is first asked for. */
+function once<T>(make: () => T): () => T {
+  let value: T | undefined;
+  return () => {
+    value ??= make();
+    return value;
   };
-  const quality = measureMotion(skeleton, [chunk], clip.frames, plan, []);
-  writeFileSync(out, `${JSON.stringify(resultDocument(scene, plan, motion.contacts, quality))}\n`);
-  if (bvh) writeFileSync(bvh, writeBvh(clip));
-  return {
-    scene: name,
-    footsteps: plan.steps.length,
-    seconds: plan.duration,
-    warnings: plan.warnings,
-    quality,
-  };
+}
+
+/** A scene's tasks or paths, then its stones; null when there is nothing before the stones. */
+function motionBefore(scene: Scene, character: Character, name: string): PlannedMotion | null {
+  const { skeleton } = character;
+  if (scene.paths.length > 0) {
+    const { plan, motion } = planPaths(scene, skeleton, styleFamilies(stylesOf(scene), skeleton));
+    return { plan, clip: { ...motion.clip, name }, contacts: motion.contacts };
+  }
+  if (scene.stones.length > 0 && scene.tasks.length === 0) return null;
+  const library = character.library();
+  const plan = planScene(scene, library, skeleton);
+  const synthesis = beginSynthesis(library, skeleton, plan, goalsOf(scene), character.cache);
+  const clip = synthesiseClip(synthesis, name);
+  return { plan, clip, contacts: synthesis.track.contacts };
+}
+
+function motionOf(scene: Scene, character: Character, name: string): PlannedMotion {
+  const before = motionBefore(scene, character, name);
+  if (before && scene.stones.length === 0) return before;
+  const stones = planStones(scene, character.blends(), before ? standingAfter(before) : null);
+  return before ? joinMotions(before, stones) : stones;
 }
 
 export const planCommand = {
@@ -70,38 +84,35 @@ export const planCommand = {
     if (many) mkdirSync(out, { recursive: true });
     const to = outputs(files, out, "json");
     const library = one(o, "library");
-    const base = library ? decodeLibrary(readFileSync(library)) : shippedLibrary();
-    const kept = new Map<string, { library: Library; cache: SwingCache }>();
+    const base = once(() => (library ? decodeLibrary(readFileSync(library)) : shippedLibrary()));
+    const sources = once(cyclicSources);
+    const kept = new Map<string, Character>();
     const rows = files.map((f, i) => {
-      const scene = readScene(readText(f), f);
+      const scene = risen(readScene(readText(f), f));
+      if (scene.paths.length > 0 && scene.tasks.length > 0)
+        throw new Error(`${f}: paths: a scene with paths has no tasks yet.`);
       const { height, proportions } = scene.character;
-      const skeleton = createSkeleton(height, proportions);
       const key = JSON.stringify([height, proportions]);
-      const character = kept.get(key) ?? { library: retargetLibrary(base, skeleton), cache: new Map() };
+      const skeleton = createSkeleton(height, proportions);
+      const character = kept.get(key) ?? {
+        skeleton,
+        library: once(() => retargetLibrary(base(), skeleton)),
+        blends: once(() => bakeLibrary(sources(), skeleton)),
+        cache: new Map(),
+      };
       kept.set(key, character);
-      const bvh = many ? to[i].replace(/\.json$/, ".bvh") : one(o, "bvh");
-      if (scene.paths.length > 0) {
-        if (scene.tasks.length > 0 || scene.stones.length > 0)
-          throw new Error(`${f}: paths: a scene with paths has no tasks and no stones yet.`);
-        return planAlongPaths(scene, skeleton, f, to[i], bvh);
-      }
-      const goals = goalsOf(scene);
-      const plan = planScene(scene, character.library, skeleton);
-      const synthesis = beginSynthesis(character.library, skeleton, plan, goals, character.cache);
-      const clip = synthesiseClip(synthesis, f);
+      const { plan, clip, contacts } = motionOf(scene, character, f);
       const chunk = {
         first: 0,
         frames: clip.frames,
         root: Float32Array.from(clip.root),
         rotations: Float32Array.from(clip.rotations),
-        contacts: synthesis.track.contacts,
+        contacts,
       };
-      const quality = measureMotion(skeleton, [chunk], clip.frames, plan, goals);
-      writeFileSync(
-        to[i],
-        `${JSON.stringify(resultDocument(scene, plan, synthesis.track.contacts, quality))}\n`,
-      );
-      if (bvh) writeFileSync(bvh, writeBvh(clip));
+      const quality = measureMotion(skeleton, [chunk], clip.frames, plan, goalsOf(scene));
+      writeFileSync(to[i], `${JSON.stringify(resultDocument(scene, plan, contacts, quality))}\n`);
+      const bvh = many ? to[i].replace(/\.json$/, ".bvh") : one(o, "bvh");
+      if (bvh) writeFileSync(bvh, writeBvh({ ...clip, name: f }));
       return {
         scene: f,
         footsteps: plan.steps.length,

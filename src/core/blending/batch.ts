@@ -8,6 +8,7 @@ import { JOINT_COUNT } from "../skeleton/joints.ts";
 import type { BlendLibrary } from "./library.ts";
 import { HIPS_AT } from "./library.ts";
 import { type Choice, createChoice, createMix, MIX, type Mix } from "./mix.ts";
+import { createStepQuery, type StepQuery } from "./step-query.ts";
 
 /** The root's way over the step under way: a cubic from (T0, pose, velocity) to (T1, pose, velocity). */
 export const T0 = 0;
@@ -30,8 +31,7 @@ export const BLEND_TIME = 27;
 /** Root control: lambda_4, then the wanted velocity (lateral, forward, turn) in the root's frame. */
 export const LAMBDA4 = 28;
 export const WANT = 29;
-/** Landing of the step before, seconds; its side (0 left, 1 right). */
-export const LAST_LAND = 32;
+/** Side of the body's step: 0 left, 1 right. */
 export const LAST_SIDE = 33;
 /** Lift of the step that comes next as far as is known; Infinity. */
 export const NEXT_LIFT = 34;
@@ -111,6 +111,7 @@ export interface Batch {
 
 /** Work arrays, one set for all characters. */
 export interface Scratch {
+  query: StepQuery;
   mix: Mix;
   choice: Choice;
   rootWeights: Float64Array;
@@ -152,6 +153,7 @@ export function createBatch(
     contacts: new Uint8Array(capacity),
     landingError: new Float64Array(capacity).fill(Number.NaN),
     scratch: {
+      query: createStepQuery(),
       mix: createMix(),
       choice: createChoice(),
       rootWeights: new Float64Array(library.names.length),

@@ -12,7 +12,8 @@
  * crowd.rotations.subarray(88 * i, 88 * i + 88);
  * ```
  */
-import type { GroundPose } from "../math/frame2.ts";
+import { type GroundPose, midPose, toLocal } from "../math/frame2.ts";
+import { type Numbers, quatFromAxisAngle, quatMultiply } from "../math/quaternion.ts";
 import type { Footstep } from "../steps/types.ts";
 import {
   AIR,
@@ -27,7 +28,6 @@ import {
   FOOT_STATE,
   LAMBDA4,
   LAND,
-  LAST_LAND,
   LAST_SIDE,
   NEXT_LIFT,
   NOW,
@@ -43,7 +43,7 @@ import {
   TO,
   WANT,
 } from "./batch.ts";
-import type { BlendLibrary } from "./library.ts";
+import { type BlendLibrary, HIPS_AT } from "./library.ts";
 import { MIX } from "./mix.ts";
 import { shownBody, writePose } from "./pose.ts";
 import { beginOffset, sampleBody } from "./sample.ts";
@@ -68,6 +68,13 @@ export interface BlendCrowd extends Batch {
   add(at: GroundPose & { y?: number }): number;
   /** Puts a character somewhere, standing, and forgets its footsteps. */
   place(i: number, at: GroundPose & { y?: number }): void;
+  /**
+   * Puts a character where another motion left it: its feet as they stand, its pose as it is, which then goes over into
+   * standing at ease.
+   *
+   * @param feet left and right; @param root the hips' place; @param rotations JOINT_COUNT x 4 local rotations.
+   */
+  adopt(i: number, feet: readonly [Footstep, Footstep], root: Numbers, rotations: Numbers): void;
   /**
    * Queues a footstep after those already queued. @returns false when the queue (8) is full: try again later.
    */
@@ -99,6 +106,7 @@ export function createBlendCrowd(
     return i;
   };
   crowd.place = (i, at) => stand(b, i, at);
+  crowd.adopt = (i, feet, root, rotations) => adopt(b, i, feet, root, rotations);
   crowd.push = (i, step) => push(b, i, step);
   crowd.clear = (i) => {
     b.queueCount[i] = 0;
@@ -138,7 +146,6 @@ function stand(b: Batch, i: number, at: GroundPose & { y?: number }): void {
   s.set([at.x, at.z, at.yaw, at.y ?? 0], o + TO);
   s.set([at.x, at.z, at.yaw, at.y ?? 0], o + NOW);
   s[o + T1] = b.time;
-  s[o + LAST_LAND] = Number.NEGATIVE_INFINITY;
   s[o + LAST_SIDE] = 1;
   s[o + NEXT_LIFT] = Number.POSITIVE_INFINITY;
   const { standFoot } = b.library;
@@ -164,6 +171,33 @@ function stand(b: Batch, i: number, at: GroundPose & { y?: number }): void {
   b.triangle[2 * i] = 0;
   b.triangle[2 * i + 1] = 0;
   b.landingError[i] = Number.NaN;
+  writePose(b, i, b.time, 0, -1);
+}
+
+function adopt(
+  b: Batch,
+  i: number,
+  feet: readonly [Footstep, Footstep],
+  root: Numbers,
+  rotations: Numbers,
+): void {
+  const s = b.state;
+  const o = STATE * i;
+  const middle = midPose(feet[0], feet[1]);
+  stand(b, i, { ...middle, y: (feet[0].y + feet[1].y) / 2 });
+  feet.forEach((p, side) => {
+    s.set([p.x, p.y, p.z, p.yaw], o + FOOT + FOOT_STATE * side + PLACE);
+  });
+  const { old, pose } = b.scratch;
+  for (let k = 0; k < HIPS_AT; k++) old[k] = rotations[k];
+  // As the rows have it: seen from the root's frame.
+  const turn = new Float64Array(4);
+  quatFromAxisAngle(turn, 0, 0, 1, 0, -middle.yaw);
+  quatMultiply(old, 0, turn, 0, old, 0);
+  const hips = toLocal(middle, { x: root[0], z: root[2], yaw: 0 });
+  old.set([hips.x, root[1] - s[o + NOW + 3], hips.z], HIPS_AT);
+  pose.set(b.library.stand);
+  blend(b, i, b.time, old, old, pose, pose, STAND_BLEND);
   writePose(b, i, b.time, 0, -1);
 }
 

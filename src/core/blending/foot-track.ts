@@ -31,6 +31,8 @@ import { sampleStance, sampleSwing } from "./sample.ts";
 
 /** The pitch shown follows the wanted one no faster than this, rad/s: plans that change late make no jump. */
 const PITCH_RATE = 9;
+/** Least clearance in the middle of a swing, metres. */
+const CLEAR = 0.008;
 
 const planted = new Float64Array(3);
 const spot = new Float64Array(3);
@@ -143,8 +145,13 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
   // Up early, down late: over the edge of a step or a stone.
   const v = rise > 0 ? Math.min(1, u / 0.75) : Math.max(0, (u - 0.25) / 0.75);
   const over = u * (1 - u) * Math.abs(rise);
+  const bend = swing[4] + toeOff;
+  const ground = s[f + PLACE + 1] + share * (s[f + TARGET + 1] - s[f + PLACE + 1]);
+  const up = s[f + LEAVE + 1] + easedShare(v) * rise + over + swing[1];
+  // Blends and other feet's pitches must not push heel or toes through the ground.
+  const low = ground + CLEAR * 4 * u * (1 - u) - up - lowest(shape, pitch, bend);
   s[f + ANKLE] = s[f + LEAVE] + share * (spot[0] - s[f + LEAVE]) + c * swing[0] + n * swing[2];
-  s[f + ANKLE + 1] = s[f + LEAVE + 1] + easedShare(v) * rise + over + swing[1];
+  s[f + ANKLE + 1] = up + Math.max(0, low);
   s[f + ANKLE + 2] = s[f + LEAVE + 2] + share * (spot[2] - s[f + LEAVE + 2]) - n * swing[0] + c * swing[2];
   s[f + PITCH] = pitch;
   const turn = wrapAngle(s[f + TARGET + 3] - s[f + PLACE + 3]);
@@ -156,8 +163,20 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
     s[f + PLACE + 4] + share * (s[f + TARGET + 4] - s[f + PLACE + 4]),
     s[f + PLACE + 5] + share * (s[f + TARGET + 5] - s[f + PLACE + 5]),
   );
-  s[f + ANKLE + 7] = swing[4] + toeOff;
+  s[f + ANKLE + 7] = bend;
   return 0;
+}
+
+/** Height of the sole's lowest point (heel, ball, tip) over the ankle, negative. */
+function lowest(shape: FootShape, pitch: number, bend: number): number {
+  const c = Math.cos(pitch);
+  const n = Math.sin(pitch);
+  const heel = -shape.ankleHeight * c - shape.heelBack * n;
+  const joint = shape.ballForward * n - (shape.ankleHeight - shape.ballHeight) * c;
+  const ct = Math.cos(pitch + bend);
+  const ball = joint - shape.ballHeight * ct;
+  const tip = ball + shape.tipForward * Math.sin(pitch + bend);
+  return Math.min(heel, ball, tip);
 }
 
 /** Foot rotation xyzw into the block: yaw, then pitch (toe up positive), tilted from up to the ground's normal. */

@@ -67,11 +67,10 @@ export function closeLeg(
   const blendZ = 1 - 2 * (world[tf] * world[tf] + world[tf + 1] * world[tf + 1]);
   const wantX = 2 * (state[w + 3] * state[w + 5] + state[w + 6] * state[w + 4]);
   const wantZ = 1 - 2 * (state[w + 3] * state[w + 3] + state[w + 4] * state[w + 4]);
-  const nb = 0.5 / Math.sqrt(blendX * blendX + blendZ * blendZ + 1e-6);
-  const nw = 0.5 / Math.sqrt(wantX * wantX + wantZ * wantZ + 1e-6);
-  const kx = 2 * (world[tu] * world[tu + 2] + world[tu + 3] * world[tu + 1]) + wantX * nw - blendX * nb;
+  // Their lengths shrink as the foot points down, where it says nothing of where the knee goes.
+  const kx = 2 * (world[tu] * world[tu + 2] + world[tu + 3] * world[tu + 1]) + 0.5 * (wantX - blendX);
   const ky = 2 * (world[tu + 1] * world[tu + 2] - world[tu + 3] * world[tu]);
-  const kz = 1 - 2 * (world[tu] * world[tu] + world[tu + 1] * world[tu + 1]) + wantZ * nw - blendZ * nb;
+  const kz = 1 - 2 * (world[tu] * world[tu] + world[tu + 1] * world[tu + 1]) + 0.5 * (wantZ - blendZ);
   const hx = positions[3 * upper];
   const hy = positions[3 * upper + 1];
   const hz = positions[3 * upper + 2];

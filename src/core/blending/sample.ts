@@ -70,15 +70,6 @@ export function sampleStance(b: Batch, mix: number, side: number, part: number, 
   return out;
 }
 
-/** A number of each clip's step (a column of `moves`), blended: eq. 2 and its like. */
-export function blendMoves(b: Batch, mix: number, side: number, stride: number, column: number): number {
-  const { moves } = b.library;
-  let out = 0;
-  for (let k = 0; k < b.mixCount[mix]; k++)
-    out += b.mixWeights[mix * MIX + k] * moves[stride * (2 * b.mixClips[mix * MIX + k] + side) + column];
-  return out;
-}
-
 /**
  * Begins a blend: what is shown goes on from `old` and its motion, and fades to the new pose.
  *
