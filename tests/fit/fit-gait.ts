@@ -137,7 +137,12 @@ function look(recipe: Recipe, shape: GaitShape): Look | null {
     clip.frames,
   );
   const nothing = { tasks: [] } as unknown as Plan;
-  return { gait, turning, balance: balanceShares(points, clip.skeleton, nothing, []).near ?? 0 };
+  const level = new Float64Array(clip.frames);
+  return {
+    gait,
+    turning,
+    balance: balanceShares(points, clip.skeleton, nothing, [], [level, level]).near ?? 0,
+  };
 }
 
 function residuals(recipe: Recipe, shape: GaitShape, x: Float64Array): number[] | null {
