@@ -66,7 +66,7 @@ describe("library in pieces", () => {
       const script = lines
         .replace(/N=\d+/, "N=3")
         .replaceAll("npm run -s cli --", "node src/cli/launch.mjs")
-        .replaceAll("--clips captures", `--clips ${clips}`)
+        .replaceAll("--clips captures", `--clips ${clips} --method both`)
         .replaceAll("pieces/", `${pieces}/`)
         .replace("--joblog pieces.log", `--joblog ${at("pieces.log")}`)
         .replace("--out library.bin", `--out ${at("library.bin")}`);
