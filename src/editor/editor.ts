@@ -63,6 +63,11 @@ export class Editor {
     theme: EditorState["theme"],
   ) {
     this.store = createEditorStore(scene, theme);
+    // Planner and skin first: they work while the room is made.
+    this.plan = new PlanSession(this);
+    this.plan.ask();
+    this.character = new CharacterSession(this);
+    this.character.follow();
     this.stage = new Stage(places.canvas);
     this.layers = new LayerHost(this);
     this.markers = new Markers(this, places.viewport.querySelector(".overlay") as HTMLElement);
@@ -70,8 +75,6 @@ export class Editor {
     this.tools = new ToolHost(this, places.canvas);
     this.playback = new Playback(this);
     this.scene = new SceneSession(this, scene);
-    this.plan = new PlanSession(this);
-    this.character = new CharacterSession(this);
     this.files = new Files(this);
     this.store.subscribe(() => this.redraw());
     document.documentElement.dataset.theme = theme;
@@ -81,8 +84,6 @@ export class Editor {
     new ResizeObserver(() => this.resize()).observe(places.viewport);
     new ResizeObserver(() => this.resize()).observe(places.timeline);
     this.frameScene();
-    this.character.follow();
-    this.plan.ask();
     for (const f of this.registry.features) f.start?.(this);
     this.redraw();
   }

@@ -28,6 +28,8 @@ export interface Room {
   group: Group;
   key: DirectionalLight;
   setTheme(theme: Theme): void;
+  /** Shows the key light's shadow, or leaves it out; no shader changes. */
+  setShadow(shown: boolean): void;
   /** Draws the light of the surroundings anew: it lives on the graphics card alone and is lost with the context. */
   relight(): void;
   dispose(): void;
@@ -126,6 +128,8 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * 
   fill.position.set(5, 3.5, -3);
   group.add(hemisphere, key, key.target, fill);
   scene.add(group);
+  let strength = 1;
+  let shown = true;
   return {
     group,
     key,
@@ -142,12 +146,17 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * 
       hemisphere.intensity = t.hemisphere[2];
       key.color.set(t.key[0]);
       key.intensity = t.key[1];
-      key.shadow.intensity = t.shadow;
+      strength = t.shadow;
+      key.shadow.intensity = shown ? strength : 0;
       fill.color.set(t.fill[0]);
       fill.intensity = t.fill[1];
       grid.uGrid.value.set(t.grid[0]);
       grid.uFine.value = t.grid[1];
       grid.uCoarse.value = t.grid[2];
+    },
+    setShadow(on) {
+      shown = on;
+      key.shadow.intensity = on ? strength : 0;
     },
     relight() {
       environment = light();

@@ -29,6 +29,7 @@ import type { Skeleton } from "../core/skeleton/skeleton.ts";
 import type { CharacterMesh } from "./character/build-mesh.ts";
 import { Figure } from "./character/figure.ts";
 import { type Footprint, FootprintLayer, type FootprintMode } from "./footprints.ts";
+import { type Coarseness, drawsInSoftware, FramePace } from "./frame-pace.ts";
 import { boxMesh, createProp } from "./props.ts";
 import { createRoom, type Room } from "./room.ts";
 import { ROOMS, type Theme } from "./tokens.ts";
@@ -40,6 +41,11 @@ export interface FreeRect {
   right: number;
   bottom: number;
 }
+
+/** Milliseconds without a frame after which one is drawn with everything. */
+const REST_AFTER = 600;
+/** Pixels of the canvas a CSS pixel, where frames are very slow. */
+const LARGE_PIXELS = 0.6;
 
 export class Stage {
   private readonly renderer: WebGLRenderer;
@@ -55,6 +61,12 @@ export class Stage {
   private readonly inkLines = new Map<number, Line>();
   private theme: Theme = "light";
   private waiting = 0;
+  private resting = 0;
+  private warming = false;
+  private shaders = false;
+  private readonly pace: FramePace;
+  /** How coarse the last frame was. */
+  private drawn: Coarseness = 0;
   private free: FreeRect = { left: 0, top: 0, right: 0, bottom: 0 };
   private size = { width: 1, height: 1 };
   /** Called after each drawn frame, for what lies over the canvas. */
@@ -63,6 +75,7 @@ export class Stage {
   /** @throws Error when the browser has no WebGL 2. */
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.pace = new FramePace(drawsInSoftware(this.renderer.getContext()));
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = VSMShadowMap;
@@ -165,14 +178,20 @@ export class Stage {
   }
 
   setCharacter(skeleton: Skeleton, mesh: CharacterMesh): void {
-    if (this.figure) {
-      this.scene.remove(this.figure.group);
-      this.figure.dispose();
-    }
-    this.figure = new Figure(skeleton, mesh);
-    this.figure.setTheme(this.theme);
-    this.scene.add(this.figure.group);
-    this.invalidate();
+    const before = this.figure;
+    const figure = new Figure(skeleton, mesh);
+    this.figure = figure;
+    figure.setTheme(this.theme);
+    // Its shaders are made while the page goes on; until then the one before is shown.
+    void this.renderer.compileAsync(figure.group, this.camera, this.scene).then(() => {
+      if (before) {
+        this.scene.remove(before.group);
+        before.dispose();
+      }
+      // A newer one takes this one's place when it is ready.
+      this.scene.add(figure.group);
+      this.invalidate();
+    });
   }
 
   get hasCharacter(): boolean {
@@ -298,7 +317,7 @@ export class Stage {
   resize(width: number, height: number, free: FreeRect): void {
     this.size = { width: Math.max(1, width), height: Math.max(1, height) };
     this.free = free;
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
+    this.applyRatio();
     this.renderer.setSize(this.size.width, this.size.height, false);
     this.camera.aspect = this.size.width / this.size.height;
     // The middle of the picture is the middle of the free part.
@@ -317,7 +336,7 @@ export class Stage {
   /** What is drawn, as a PNG. @throws Error when the browser gives none. */
   picture(): Promise<Blob> {
     // Drawn and read in the same turn: the buffer is not kept afterwards.
-    this.renderer.render(this.scene, this.camera);
+    this.draw(0);
     return new Promise((resolve, reject) => {
       this.canvas.toBlob((blob) => {
         if (blob) resolve(blob);
@@ -335,15 +354,55 @@ export class Stage {
   /** Asks for a frame. */
   invalidate(): void {
     if (this.waiting) return;
-    this.waiting = requestAnimationFrame(() => {
+    this.waiting = requestAnimationFrame((now) => {
       this.waiting = 0;
-      this.renderer.render(this.scene, this.camera);
       this.onDraw();
+      if (!this.shaders) {
+        this.warmUp();
+        return;
+      }
+      this.pace.moved(now);
+      this.draw(this.pace.coarseness);
+      window.clearTimeout(this.resting);
+      // What stands still is drawn with everything.
+      if (this.pace.coarseness > 0) this.resting = window.setTimeout(() => this.drawAtRest(), REST_AFTER);
     });
+  }
+
+  /** The room's shaders are made before its first frame, without holding up the page. */
+  private warmUp(): void {
+    if (this.warming) return;
+    this.warming = true;
+    void this.renderer.compileAsync(this.scene, this.camera).then(() => {
+      this.shaders = true;
+      this.invalidate();
+    });
+  }
+
+  private drawAtRest(): void {
+    // While a frame is asked for, things move.
+    if (!this.waiting) this.draw(0);
+  }
+
+  private draw(coarseness: Coarseness): void {
+    if (coarseness !== this.drawn) {
+      this.drawn = coarseness;
+      this.applyRatio();
+    }
+    this.room.setShadow(coarseness < 2);
+    this.renderer.shadowMap.autoUpdate = coarseness < 2;
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  private applyRatio(): void {
+    const own = Math.min(2, window.devicePixelRatio || 1);
+    const ratio = this.drawn === 0 ? own : this.drawn < 3 ? Math.min(1, own) : LARGE_PIXELS;
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
   }
 
   dispose(): void {
     cancelAnimationFrame(this.waiting);
+    window.clearTimeout(this.resting);
     this.controls.dispose();
     this.room.dispose();
     this.figure?.dispose();

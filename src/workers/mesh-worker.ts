@@ -12,15 +12,22 @@ export interface MeshResponse {
   mesh: CharacterMesh;
 }
 
+/** Cells of the skin that is sent first, in those of the last one: an eighth of the work. */
+const FIRST = 2.2;
+
 self.onmessage = (event: MessageEvent<MeshRequest>) => {
   const { id, height, proportions } = event.data;
-  const mesh = buildCharacterMesh(createSkeleton(height, proportions));
-  const answer: MeshResponse = { id, mesh };
-  (self as unknown as { postMessage(m: unknown, t: Transferable[]): void }).postMessage(answer, [
-    mesh.positions.buffer,
-    mesh.normals.buffer,
-    mesh.indices.buffer,
-    mesh.skinIndices.buffer,
-    mesh.skinWeights.buffer,
-  ] as Transferable[]);
+  const skeleton = createSkeleton(height, proportions);
+  // A coarse skin at once, so that the character stands there; then the one that is looked at.
+  for (const fineness of [FIRST, 1]) {
+    const mesh = buildCharacterMesh(skeleton, fineness);
+    const answer: MeshResponse = { id, mesh };
+    (self as unknown as { postMessage(m: unknown, t: Transferable[]): void }).postMessage(answer, [
+      mesh.positions.buffer,
+      mesh.normals.buffer,
+      mesh.indices.buffer,
+      mesh.skinIndices.buffer,
+      mesh.skinWeights.buffer,
+    ] as Transferable[]);
+  }
 };

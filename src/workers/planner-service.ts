@@ -85,6 +85,7 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
       clips: base.clips.length,
       transitions: base.transitions,
     });
+    void work();
   }
 
   /** Templates for the scene's character, kept until it changes. */
@@ -216,7 +217,8 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
   }
 
   async function work(): Promise<void> {
-    if (busy) return;
+    // What is asked for before the library is there waits for it.
+    if (busy || !base) return;
     busy = true;
     let done: PlanRequest | null = null;
     while (newest && newest !== done) {

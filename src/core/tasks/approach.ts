@@ -9,11 +9,13 @@
  */
 import { wrapAngle } from "../math/angle.ts";
 import { type GroundPose, toLocal, toWorld } from "../math/frame2.ts";
+import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Foot } from "../steps/types.ts";
 import type { Library } from "../templates/types.ts";
 import { type DraftStep, type Feet, footPose, otherFoot, stanceBefore } from "./draft.ts";
 import { carriedAt } from "./locomotion.ts";
 import { type Obstacle, obstacleDistance } from "./route.ts";
+import { footInside } from "./tidy.ts";
 
 /** A capture's step seen from the standing foot: where its foot comes from and goes to. */
 interface Move {
@@ -28,20 +30,26 @@ interface Move {
 type Moves = Record<Foot, Move[]>;
 
 /** Most moves of a foot that are tried: spread over what the captures have. */
-const MOST_MOVES = 40;
+const MOST_MOVES = 36;
 /** Sequences kept, and their greatest length. */
-const BEAM = 24;
+const BEAM = 20;
 const DEPTH = 9;
 /** Costs: a step; warping by half a metre, twice that; a place in furniture. */
 const STEP = 0.2;
 const WARP = 0.7;
-const BLOCKED = 0.6;
+const BLOCKED = 1.5;
+/** Furniture farther than this from both ends is not looked at, metres. */
+const NEAR = 2.5;
 /** A step that turns, beside one that walks. */
 const TURNS = 0.07;
 /** What is left at the end, a metre and a radian: the standing foot, and the other. */
 const LEFT = 2.4;
 const LEFT_TURN = 0.9;
 const OTHER = 1.0;
+/** What is thought to be left, a metre. */
+const WAY = 0.42;
+/** Moves that would be warped more are not tried, metres. */
+const MOST_WARP = 0.55;
 /** A radian counts as so many metres. */
 const TURN = 0.3;
 
@@ -106,6 +114,24 @@ interface Node {
   move: Move | null;
 }
 
+/** A step more, not yet chosen; `score` is what the whole way is thought to cost. */
+interface Child {
+  parent: Node;
+  move: Move;
+  foot: Foot;
+  to: GroundPose;
+  cost: number;
+  score: number;
+}
+
+/** Keeps the list in order and no longer than the beam. */
+function insert(list: Child[], child: Child): void {
+  let i = list.length;
+  while (i > 0 && list[i - 1].score > child.score) i--;
+  list.splice(i, 0, child);
+  if (list.length > BEAM) list.pop();
+}
+
 /** Where an approach ends: the foot that stands and the other, and the body's way. */
 export interface ApproachGoal {
   stanceFoot: Foot;
@@ -124,12 +150,16 @@ export function approach(
   goal: ApproachGoal,
   carrying: boolean,
   obstacles: readonly Obstacle[],
+  skeleton: Skeleton,
 ): DraftStep[] {
   const all = movesOf(library);
   const moves = carrying && all.carrying.left.length > 4 ? all.carrying : all.free;
   const aim = footPose(goal.stance[goal.stanceFoot]);
   const swing = otherFoot(goal.stanceFoot);
   const there = footPose(goal.stance[swing]);
+  const near = obstacles.filter(
+    (o) => obstacleDistance(o, aim.x, aim.z) < NEAR || obstacleDistance(o, feet.left.x, feet.left.z) < NEAR,
+  );
   const start: Node = {
     feet: { left: footPose(feet.left), right: footPose(feet.right) },
     last,
@@ -142,32 +172,35 @@ export function approach(
   let bestTotal = wrong + remaining(start.feet, goal.stanceFoot, aim, there);
   let beam = [start];
   for (let depth = 1; depth <= DEPTH && beam.length > 0; depth++) {
-    const children: { parent: Node; move: Move; foot: Foot; to: GroundPose; cost: number; score: number }[] =
-      [];
+    const children: Child[] = [];
+    let worst = bestTotal;
     for (const parent of beam) {
       for (const foot of ["left", "right"] as const) {
         if (parent.last === foot) continue;
         const stance = parent.feet[otherFoot(foot)];
         const own = toLocal(stance, parent.feet[foot]);
+        const target = foot === goal.stanceFoot ? aim : there;
+        const c = Math.cos(stance.yaw);
+        const s = Math.sin(stance.yaw);
         for (const move of moves[foot]) {
           const warp = apart(own, move.from);
-          if (warp > 0.7) continue;
-          const to = toWorld(stance, move.to);
-          let cost = parent.cost + STEP + WARP * warp * warp * 2 + (move.turns ? TURNS : 0);
-          for (const o of obstacles)
-            if (obstacleDistance(o, to.x, to.z) < 0.08) {
-              cost += BLOCKED;
-              break;
-            }
-          const target = foot === goal.stanceFoot ? aim : there;
-          const score =
-            cost + 0.42 * Math.hypot(to.x - target.x, to.z - target.z) + 0.12 * facing(to, target);
-          if (score < bestTotal) children.push({ parent, move, foot, to, cost, score });
+          if (warp > MOST_WARP) continue;
+          let cost = parent.cost + STEP + 2 * WARP * warp * warp + (move.turns ? TURNS : 0);
+          if (cost >= worst) continue;
+          const x = stance.x + c * move.to.x + s * move.to.z;
+          const z = stance.z - s * move.to.x + c * move.to.z;
+          const d = Math.hypot(x - target.x, z - target.z);
+          if (cost + WAY * d >= worst) continue;
+          const to = { x, z, yaw: wrapAngle(stance.yaw + move.to.yaw) };
+          if (near.length > 0 && footInside(near, to, skeleton)) cost += BLOCKED;
+          const score = cost + WAY * d + 0.12 * facing(to, target, d);
+          if (score >= worst) continue;
+          insert(children, { parent, move, foot, to, cost, score });
+          if (children.length === BEAM) worst = children[BEAM - 1].score;
         }
       }
     }
-    children.sort((a, b) => a.score - b.score);
-    beam = children.slice(0, BEAM).map(({ parent, move, foot, to, cost }) => ({
+    beam = children.map(({ parent, move, foot, to, cost }) => ({
       feet: foot === "left" ? { left: to, right: parent.feet.right } : { left: parent.feet.left, right: to },
       last: foot,
       cost,
@@ -216,8 +249,7 @@ export function turningStep(
 }
 
 /** How differently two poses face: with distance, facing the way there counts as well. */
-function facing(at: GroundPose, target: GroundPose): number {
-  const d = Math.hypot(target.x - at.x, target.z - at.z);
+function facing(at: GroundPose, target: GroundPose, d: number): number {
   const own = Math.abs(wrapAngle(target.yaw - at.yaw));
   if (d < 0.7) return own;
   const there = Math.abs(wrapAngle(Math.atan2(target.x - at.x, target.z - at.z) - at.yaw));

@@ -22,7 +22,7 @@ import { createPhaseWorkspace, optimisePhase, type PhaseGoal } from "./optimise-
 import { pivotEnd, placePivots } from "./pivots.ts";
 import type { OptimisationTrace, Plan } from "./plan-types.ts";
 import { findRoute, type GroundPoint, type Obstacle } from "./route.ts";
-import { tidyFootsteps } from "./tidy.ts";
+import { tidyFootsteps, wayOut } from "./tidy.ts";
 import { appendStep, type Timeline } from "./timeline.ts";
 import { chainFrom, compete, layInTaskFrame, type TaskGoal } from "./transition.ts";
 
@@ -196,6 +196,8 @@ function planTask(
   };
 }
 
+type Laid = ReturnType<typeof layInTaskFrame>;
+
 /** Cost of the best competitor from which on more are looked at. */
 const FAR_OFF = 0.12;
 /** Within this distance a body stands where a template begins, metres. */
@@ -205,12 +207,7 @@ const THERE = 0.3;
  * What it costs to come to where an entry begins, in the metrics' units (a tenth a metre): they know of places alone, but an
  * entry that was walked into wants to be walked into the same way, and one that began from standing to be stood at.
  */
-function approachCost(
-  library: Library,
-  laid: { steps: DraftStep[]; stance: Feet },
-  template: Template,
-  here: GroundPose,
-): number {
+function approachCost(library: Library, laid: Laid, template: Template, here: GroundPose): number {
   const aim = midPose(laid.stance.left, laid.stance.right);
   const way = groundDistance(here, aim);
   let length = way;
@@ -265,16 +262,22 @@ function chooseEntry(
       hand: task.hand,
     };
   };
+  const known = new Map<Template, Laid>();
   let origin: GroundPoint = from;
   let entry: Entry | null = null;
   for (let round = 0; round < 2; round++) {
+    const lay = (t: Template): Laid => {
+      const laid = known.get(t) ?? layInTaskFrame(library, t, task.frame);
+      known.set(t, laid);
+      return laid;
+    };
     const rank = (k: number) =>
       compete(
         library,
         retrieveEntry(library, query(origin), k),
-        (t) => layInTaskFrame(library, t, task.frame).steps,
+        (t) => lay(t).steps,
         context.obstacles,
-        (t) => approachCost(library, layInTaskFrame(library, t, task.frame), t, here),
+        (t) => approachCost(library, lay(t), t, here),
       );
     let result = rank(COMPETITORS);
     // Where none of the nearest begins as the body stands, those that do lie farther in the metric.
@@ -475,6 +478,7 @@ function prepareEntry(
       { stanceFoot: entry.stanceFoot, stance: entry.stance },
       context.carrying,
       context.obstacles,
+      context.skeleton,
     );
     const wish = (k: number): Foot | undefined =>
       context.feetWished.get(`${index}:${earlier + fresh.length + k}`);
@@ -537,9 +541,16 @@ function shareOut(steps: DraftStep[], aim: GroundPose): void {
 
 /** PlanTaskEntryPhase: the template between the feet that are there and its own places at the task. */
 function planEntry(context: Context, entry: Entry, index: number): void {
-  const laid = entry.steps;
-  const n = laid.length;
+  const n = entry.steps.length;
   if (n === 0) return;
+  // Where the stance at the task is in other furniture it is moved as a whole, step by step.
+  const last: Feet = { ...entry.stance };
+  for (const s of entry.steps) last[s.foot] = s;
+  const [dx, dz] = wayOut(context.skeleton, [last.left, last.right], context.obstacles);
+  const laid = entry.steps.map((s, i) => {
+    const f = (i + 1) / n;
+    return dx === 0 && dz === 0 ? s : { ...s, x: s.x + f * dx, z: s.z + f * dz };
+  });
   const chained = chainFrom(context.library, entry.template, context.feet);
   // How far the feet are turned against the template's own stance is shared over its steps, so that it ends facing as it
   // did: Table 2 gives the enter phase no orientation term that would see to it.

@@ -3,6 +3,7 @@
  * A few small moves after the optimisation; a plan that needs none is left as it is.
  */
 import { toLocal, toWorld } from "../math/frame2.ts";
+import { pivotPlace } from "../motion/sole.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import { type DraftStep, type Feet, footPose, otherFoot } from "./draft.ts";
 import { pivotEnd } from "./pivots.ts";
@@ -22,7 +23,7 @@ export const TIDY = {
   footMiddle: 0.06 / 0.93,
 };
 
-/** Moves footsteps that cross, overreach or stand in an obstacle. Mutates `steps`; pivots are left. */
+/** Moves footsteps that cross, overreach or stand in an obstacle. Mutates `steps`; pivots only follow their foot. */
 export function tidyFootsteps(
   skeleton: Skeleton,
   feet: Feet,
@@ -32,7 +33,13 @@ export function tidyFootsteps(
   const leg = skeleton.legLength;
   const now: Feet = { left: feet.left, right: feet.right };
   for (const s of steps) {
-    if (!pivotEnd(s.category)) {
+    const end = pivotEnd(s.category);
+    if (end) {
+      // Its foot may have been moved before.
+      const place = pivotPlace(skeleton.foot, now[s.foot], s.yaw, end);
+      s.x = place.x;
+      s.z = place.z;
+    } else {
       const stance = footPose(now[otherFoot(s.foot)]);
       const side = s.foot === "left" ? 1 : -1;
       // Across the mean direction of both feet, so that a turned foot may stand with its heel to the other.
@@ -104,4 +111,46 @@ export function collisions(
     }
   }
   return count;
+}
+
+/** Whether the middle of a foot at a pose is in an obstacle, as `tidyFootsteps` would not leave it. */
+export function footInside(
+  obstacles: readonly Obstacle[],
+  foot: { x: number; z: number; yaw: number },
+  skeleton: Skeleton,
+): boolean {
+  const m = TIDY.footMiddle * skeleton.legLength;
+  const x = foot.x + m * Math.sin(foot.yaw);
+  const z = foot.z + m * Math.cos(foot.yaw);
+  return obstacles.some((o) => obstacleDistance(o, x, z) < TIDY.footRadius);
+}
+
+/** Farthest that a stance is moved from where its task wants it, metres. */
+const MOST_ASIDE = 0.5;
+
+/**
+ * How far a stance has to be moved for both feet to stand free of furniture: one way for both, so that they stay beside each
+ * other. [0, 0] where nothing is in the way, or no way out is near.
+ */
+export function wayOut(
+  skeleton: Skeleton,
+  feet: readonly { x: number; z: number; yaw: number }[],
+  obstacles: readonly Obstacle[],
+): [number, number] {
+  const m = TIDY.footMiddle * skeleton.legLength;
+  let x = 0;
+  let z = 0;
+  for (let round = 0; round < 8; round++) {
+    let moved = false;
+    for (const f of feet) {
+      const p = { x: f.x + x + m * Math.sin(f.yaw), z: f.z + z + m * Math.cos(f.yaw) };
+      const from = { ...p };
+      if (!pushOut(p, obstacles, TIDY.footRadius)) continue;
+      x += p.x - from.x;
+      z += p.z - from.z;
+      moved = true;
+    }
+    if (!moved) break;
+  }
+  return Math.hypot(x, z) <= MOST_ASIDE ? [x, z] : [0, 0];
 }

@@ -7,8 +7,8 @@ import type { Candidate } from "./plan-types.ts";
 import type { Obstacle } from "./route.ts";
 import { collisions } from "./tidy.ts";
 
-/** What an obstacle in the way of a template costs, in the metrics' units (w_d times centimetres): half a metre. */
-const COLLISION_COST = 0.05;
+/** What an obstacle in the way of a template costs, in the metrics' units (w_d times centimetres): more than a metre. */
+const COLLISION_COST = 0.12;
 /** Hips this near an obstacle count as in it, metres. */
 const HIP_RADIUS = 0.12;
 

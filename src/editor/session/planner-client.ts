@@ -21,7 +21,6 @@ export class PlannerClient {
   private nextId = 1;
   private newest: Extract<PlannerRequest, { type: "plan" }> | null = null;
   private restarts = 0;
-  private ready = false;
   /** The visitor's styles, by name: a worker that takes over is told of them again. */
   private readonly styles = new Map<string, StyleRequest>();
 
@@ -35,17 +34,12 @@ export class PlannerClient {
   }
 
   private start(): void {
-    this.ready = false;
     const worker = this.create();
     this.worker = worker;
     worker.onmessage = (event: MessageEvent<PlannerResponse>) => {
       // A worker that was replaced may have had answers on their way.
       if (worker !== this.worker) return;
       const message = event.data;
-      if (message.type === "ready") {
-        this.ready = true;
-        if (this.newest) this.send(this.newest);
-      }
       if (message.type === "finished") this.restarts = 0;
       this.events.message(message);
     };
@@ -58,9 +52,11 @@ export class PlannerClient {
     };
     this.send({ type: "load", url: this.libraryUrl });
     for (const style of this.styles.values()) this.send(style);
+    // The worker plans as soon as it has the library; nothing has to come back first.
+    if (this.newest) this.send(this.newest);
   }
 
-  /** Replaces the worker; the newest request is sent again once the library is loaded. */
+  /** Replaces the worker; the newest request is sent again. */
   restart(): void {
     this.worker?.terminate();
     if (this.restarts++ >= MOST_RESTARTS) {
@@ -95,7 +91,7 @@ export class PlannerClient {
   plan(scene: Scene, now: number | null, wishes: Wishes = {}): number {
     const id = this.nextId++;
     this.newest = { type: "plan", id, client: 0, scene, now, fromFrame: 0, ...wishes };
-    if (this.ready) this.send(this.newest);
+    this.send(this.newest);
     return id;
   }
 
