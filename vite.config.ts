@@ -8,7 +8,7 @@ import { siteSafety } from "./src/cli/site-plugin.ts";
 /** Every page of the site: those at the top, and the lessons. */
 function pages(): string[] {
   const lessons = existsSync("lessons") ? readdirSync("lessons").filter((f) => f.endsWith(".html")) : [];
-  return ["index.html", "embed.html", ...lessons.map((f) => `lessons/${f}`)];
+  return ["index.html", "embed.html", "studio.html", ...lessons.map((f) => `lessons/${f}`)];
 }
 
 export default defineConfig({

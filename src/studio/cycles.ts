@@ -7,6 +7,7 @@ import { toWorld } from "../core/math/frame2.ts";
 import { DEFAULT_PROPORTIONS, REFERENCE_HEIGHT } from "../core/skeleton/skeleton.ts";
 import { straightScore } from "./choreography/straight.ts";
 import { createWalker, finish, middle, other, sideOf, standingPair, step } from "./choreography/walker.ts";
+import { paceAt } from "./pace.ts";
 import type { Actor, Pace, Score } from "./score.ts";
 
 const DEG = Math.PI / 180;
@@ -15,12 +16,6 @@ const ADULT: Actor = { height: REFERENCE_HEIGHT, proportions: DEFAULT_PROPORTION
 const STEPS = 8;
 
 const JOG: Partial<Pace> = { length: 0.8, time: 0.385, stance: 0.46, width: 0.08 };
-
-/** Comfortable pace at a speed: length and time share the change, stance shortens [Grieve and Gear 1966]. */
-export function paceAt(speed: number): Partial<Pace> {
-  const length = 0.635 * (speed / 1.15) ** 0.42;
-  return { length, time: length / speed, stance: 0.655 - 0.06 * (speed - 1.15) };
-}
 
 function straight(name: string, seed: number, pace: Partial<Pace>): Score {
   return straightScore({ name, seed, actor: { ...ADULT, pace }, steps: STEPS });

@@ -163,7 +163,7 @@ function residuals(recipe: Recipe, shape: GaitShape, x: Float64Array): number[] 
   out.push((0.8 * Math.min(0, 100 * f.tipClearance - target.swing_min_tip_clearance_cm.mean)) / 0.3);
   out.push((0.3 * (100 * f.toeLift - target.swing_max_toe_joint_lift_cm.mean)) / 1.5);
   for (const t of seen.turning) out.push(1.5 * Math.max(0, t - 1));
-  if (!recipe.run) out.push(8 * Math.max(0, 0.9 - seen.balance));
+  if (!recipe.run) out.push(8 * Math.max(0, (recipe.balance ?? 0.9) - seen.balance));
   const rough = (keys: readonly number[], scale: number, period: boolean) => {
     const n = keys.length;
     for (let i = period ? 0 : 2; i < (period ? n : n - 1); i++) {

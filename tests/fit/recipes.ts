@@ -10,6 +10,8 @@ export interface Recipe {
   pace: Partial<Pace>;
   start: GaitShape;
   run?: boolean;
+  /** Share of frames in balance that is enough. */
+  balance?: number;
   /** Least standard deviation that a curve is judged by, degrees. */
   softness?: number;
   /** Changes a group's averages to another speed. */
@@ -40,6 +42,7 @@ export const RECIPES: Record<string, Recipe> = {
     group: "bandai-2/walk/active",
     pace: { length: 0.7047, time: 0.4935, stance: 0.6067, width: 0.0938, toeOut: 0.2061 },
     start: BOUNCING,
+    balance: 0.75,
   },
   jog: {
     group: "bandai-1/run/happy",

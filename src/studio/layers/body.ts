@@ -233,18 +233,26 @@ function alive(b: BodyAngles, score: Score, gait: Gait, frames: number): void {
   }
   const { wobble } = moodOf(score.actor);
   if (wobble > 0) {
-    // Unsteady: the trunk tips one way, the arms go the other.
-    const tip = wander(0.5, wobble * DEG);
+    // Unsteady: the trunk tips one way, the arms go the other, and paddle.
+    const tip = wander(0.55, wobble * DEG);
     const nod = wander(0.4, 0.5 * wobble * DEG);
+    const paddles = b.arms.map(() => ({
+      up: wander(0.85, 2 * wobble * DEG),
+      way: wander(0.7, 2.6 * wobble * DEG),
+    }));
     for (let f = 0; f < frames; f++) {
       b.chestRoll[f] += tip[f];
       b.pelvisRoll[f] += 0.35 * tip[f];
       b.headRoll[f] += 0.5 * tip[f];
       b.chestPitch[f] += nod[f];
-      b.arms[0].out[f] -= 2.5 * tip[f];
-      b.arms[1].out[f] += 2.5 * tip[f];
-      b.arms[0].swing[f] += 1.5 * nod[f];
-      b.arms[1].swing[f] -= 1.5 * nod[f];
+      b.arms.forEach((arm, side) => {
+        const sign = side === 0 ? 1 : -1;
+        // Hanging arms waver less than those held out.
+        const out = smoothstep(arm.out[f] / (70 * DEG));
+        arm.out[f] += out * (paddles[side].up[f] - sign * 3 * tip[f]);
+        arm.swing[f] += (0.3 + 0.7 * out) * (0.6 * paddles[side].way[f] + sign * 1.5 * nod[f]);
+        arm.turn[f] += out * paddles[side].way[f];
+      });
     }
   }
   // Breathing, 0.25 Hz.
