@@ -97,7 +97,7 @@ const SPECS: Record<Style, StyleSpec> = {
         ...seesaw(7, 7, 0.2),
         { part: "tip", times: 4, amount: -2.4, at: 0.18 },
         { part: "tip", times: 5, amount: -2.2, at: 0.18 },
-        { part: "leftSwing", times: 4, amount: 8.5, at: 0.1 },
+        { part: "leftSwing", times: 4, amount: 11, at: 0.1 },
         { part: "rightSwing", times: 5, amount: 4.5, at: 0.3 },
         { part: "lean", times: 2, amount: 1.6, at: 0.3 },
       ],
@@ -138,7 +138,7 @@ const SPECS: Record<Style, StyleSpec> = {
   energetic: {
     pace: { length: 0.72, time: 0.475, stance: 0.62 },
     mood: {
-      swing: 1.48,
+      swing: 1.51,
       elbow: 91,
       armsForward: 13,
       twist: 1.25,

@@ -20,6 +20,8 @@ export interface FeetTrack {
   /** Toe up positive. */
   pitch: Float64Array;
   toeBend: Float64Array;
+  /** What of the foot's rotation yaw and pitch leave out: a rotation vector in its own frame, 3 a foot. */
+  tilt: Float64Array;
   /** Bit a foot. */
   down: Uint8Array;
   /** Standing still in its final place (1) or moving. */
@@ -47,6 +49,7 @@ export function createFeetTrack(frames: number): FeetTrack {
     yaw: new Float64Array(2 * frames),
     pitch: new Float64Array(2 * frames),
     toeBend: new Float64Array(2 * frames),
+    tilt: new Float64Array(6 * frames),
     down: new Uint8Array(frames),
     still: new Uint8Array(frames),
     ankle: new Float64Array(6 * frames),
@@ -61,6 +64,8 @@ const CLEAR = 0.008;
 /** A foot that would scrape is raised over so many frames either side; in the first and last share of its way it is not. */
 const LIFT_OVER = 6;
 const LIFT_ENDS = 5;
+/** Its tilt comes and goes over such a share of its way: the inverse. */
+const TILT_ENDS = 4;
 /** Largest speed difference that the way between plants takes over, metres a frame. */
 const MOST_SPEED = 0.012;
 
@@ -163,7 +168,10 @@ export function constrainFeet(
         for (let k = 0; k < 3; k++) shift[s + k] = out[k] - track.ankle[p + k];
         shift[s + 3] = wrapAngle(plant.yaw - track.yaw[i]);
         shift[s + 4] = plantBend - track.toeBend[i];
-        for (let k = 0; k < 3; k++) track.ankle[p + k] = out[k];
+        for (let k = 0; k < 3; k++) {
+          track.ankle[p + k] = out[k];
+          track.tilt[p + k] = 0;
+        }
         track.yaw[i] += shift[s + 3];
         track.toeBend[i] = plantBend;
         track.contacts[f] |= contactsOfPitch(track.pitch[i]) << (2 * side);
@@ -218,6 +226,9 @@ function swing(
     const u = (f - last) / length;
     const i = 2 * f + side;
     const p = 6 * f + 3 * side;
+    // A resting foot is not tilted; in the air it is as in the sample.
+    const free = (before ? smoothstep(TILT_ENDS * u) : 1) * (after ? smoothstep(TILT_ENDS * (1 - u)) : 1);
+    for (let k = 0; k < 3; k++) track.tilt[p + k] *= free;
     track.ankle[p + 1] += lift[f - last - 1] * smoothstep(LIFT_ENDS * u) * smoothstep(LIFT_ENDS * (1 - u));
     // What this does not reach, near the ends: the toes give way, then the ankle.
     const heelAndBall = track.ankle[p + 1] + lowestOf(shape, track.pitch[i], 1);

@@ -7,6 +7,7 @@ import { solveLeg } from "../ik/leg.ts";
 import { softEnvelope } from "../math/interpolate.ts";
 import {
   quatFromAxisAngle,
+  quatFromRotationVector,
   quatFromYawPitchRoll,
   quatInverseMultiply,
   quatMultiply,
@@ -22,7 +23,7 @@ import { easeKnees } from "./knees.ts";
 import { leanAlong } from "./lean.ts";
 import type { LoopSequence } from "./loop.ts";
 import { type MotionPath, placeOnPath, readPath } from "./path.ts";
-import { LEG_STRIDE, LEGS, mixQuat, mixRows, QUAT_COUNT, QUATS, ROW } from "./rows.ts";
+import { LEG_STRIDE, LEG_TILT, LEGS, mixQuat, mixRows, QUAT_COUNT, QUATS, ROW } from "./rows.ts";
 import { createTimeline, type StyleChange, type Timeline, type TimelineOptions } from "./timeline.ts";
 
 /** Each enhancement of [Express §§6.2, 7] can be switched off to show why it is there. */
@@ -198,6 +199,7 @@ function towardsStanding(
     row[l + 3] += still * (sign * STAND_OUT - row[l + 3]);
     row[l + 4] *= amount;
     row[l + 5] *= amount;
+    for (let k = LEG_TILT; k < LEG_STRIDE; k++) row[l + k] *= amount;
   }
 }
 
@@ -270,6 +272,7 @@ function layFrames(
       feet.yaw[i] = heading + row[l + 3];
       feet.pitch[i] = row[l + 4];
       feet.toeBend[i] = row[l + 5];
+      for (let k = 0; k < 3; k++) feet.tilt[g + k] = row[l + LEG_TILT + k];
       // Knees point half with the foot, half with the body, where the path turns between them.
       const k = yaw + 0.5 * (heading - yaw);
       const c = Math.cos(k);
@@ -317,6 +320,7 @@ function closeLegs(clip: Clip, feet: ReturnType<typeof createFeetTrack>, knees: 
   const world = new Float64Array(Q);
   const pose = new Float64Array(Q);
   const v = new Float64Array(3);
+  const tilt = new Float64Array(4);
   for (let f = 0; f < clip.frames; f++) {
     const r = Q * f;
     for (let k = 0; k < 4; k++) world[k] = clip.rotations[r + k];
@@ -341,6 +345,8 @@ function closeLegs(clip: Clip, feet: ReturnType<typeof createFeetTrack>, knees: 
       );
       const foot = upper + 2;
       quatFromYawPitchRoll(world, 4 * foot, feet.yaw[2 * f + side], -feet.pitch[2 * f + side], 0);
+      quatFromRotationVector(tilt, 0, feet.tilt[g], feet.tilt[g + 1], feet.tilt[g + 2]);
+      quatMultiply(world, 4 * foot, world, 4 * foot, tilt, 0);
       quatInverseMultiply(pose, 4 * foot, world, 4 * (upper + 1), world, 4 * foot);
       quatFromAxisAngle(pose, 4 * (foot + 1), 1, 0, 0, -feet.toeBend[2 * f + side]);
       for (let k = 4 * upper; k < 4 * (upper + 4); k++) clip.rotations[r + k] = pose[k];

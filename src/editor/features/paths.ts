@@ -19,9 +19,14 @@ export const paths: Feature = {
   start(e) {
     deskOf(e);
     styleImportFor(e);
-    // The timeline is taller while there is a walk to time.
-    const follow = () =>
-      document.documentElement.classList.toggle("with-path", e.store.getState().scene.paths.length > 0);
+    // The timeline is taller while there is a walk to time; points have handles while their path is open.
+    let before = "";
+    const follow = () => {
+      const { scene, tab, tool } = e.store.getState();
+      document.documentElement.classList.toggle("with-path", scene.paths.length > 0);
+      if (before !== `${tab} ${tool}`) e.markers.draw();
+      before = `${tab} ${tool}`;
+    };
     e.store.subscribe(follow);
     follow();
   },
