@@ -7,6 +7,7 @@ import { importBvh } from "../../src/core/capture/import.ts";
 import { cleanBvh } from "../../src/core/cleanup/clean-bvh.ts";
 import { eulerNear } from "../../src/core/cleanup/euler.ts";
 import { rewriteBvh } from "../../src/core/cleanup/file-motion.ts";
+import { plantSlides } from "../../src/core/cleanup/slides.ts";
 import { rankSegments } from "../../src/core/contacts/active-learning.ts";
 import { parseContactsCsv } from "../../src/core/contacts/csv.ts";
 import { lookBack } from "../../src/core/contacts/features.ts";
@@ -235,6 +236,8 @@ describe.skipIf(!hasShared)("the oracle on captures that people made and checked
     const { file, report } = cleanBvh(parseBvh(text, path), c.clip, c.labels);
     expect(report.plants).toBeGreaterThan(8);
     expect(report.largestMove).toBeLessThan(0.08);
+    expect(plantSlides(parseBvh(text, path), c.clip, c.labels)).toBeGreaterThan(15);
+    expect(plantSlides(file, c.clip, c.labels)).toBeLessThan(2);
     expect(file.values.every(Number.isFinite)).toBe(true);
   });
 });

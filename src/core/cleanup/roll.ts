@@ -161,7 +161,7 @@ const padHeights = (points: Float64Array, f: number, bit: number): [number, numb
 };
 
 /** What the stillest point of a pad moves on the ground from frame f to the next. */
-function stillest(out: Float64Array, points: Float64Array, f: number, bit: number): void {
+export function stillest(out: Float64Array, points: Float64Array, f: number, bit: number): void {
   const a = f * PAD_ROW + (bit === 1 ? PAD.heelNear : PAD.ball);
   const b = f * PAD_ROW + (bit === 1 ? PAD.heelFar : PAD.tip);
   const ax = points[a + PAD_ROW] - points[a];

@@ -10,7 +10,8 @@
 import { gaussian } from "../math/interpolate.ts";
 import { LEG_ROW, type MotionTrack, POINT } from "./motion-track.ts";
 
-export const FEATURE_SETS = ["paper", "own"] as const;
+/** The paper's set, two of its variants from [Oracle Table 1] (with the root's place; without knees), and our own. */
+export const FEATURE_SETS = ["paper", "paper-root", "paper-knees", "own"] as const;
 export type FeatureSet = (typeof FEATURE_SETS)[number];
 
 export interface FeatureOptions {
@@ -22,13 +23,17 @@ export interface FeatureOptions {
 /** 21 frames at 60 Hz: a third of a second. */
 export const PAPER_HALF = 10;
 
+/** Numbers a frame of the window, of the sets that look at the whole body. */
+const BODY_ROW = { paper: 18, "paper-root": 21, "paper-knees": 12 } as const;
+type BodySet = keyof typeof BODY_ROW;
+
 /** Numbers an example. */
 export function featureSize(o: FeatureOptions): number {
-  return o.set === "paper" ? (2 * o.half + 1) * 18 : offsetsOf(o.half).length * OWN_ROW;
+  return o.set === "own" ? offsetsOf(o.half).length * OWN_ROW : (2 * o.half + 1) * BODY_ROW[o.set];
 }
 
 /** Examples a frame: one of the whole body, or one of each foot. */
-export const examplesPerFrame = (o: FeatureOptions): number => (o.set === "paper" ? 1 : 2);
+export const examplesPerFrame = (o: FeatureOptions): number => (o.set === "own" ? 2 : 1);
 
 /** Points of a sole. */
 const SOLE = [POINT.heel, POINT.ball, POINT.tip] as const;
@@ -50,7 +55,7 @@ function offsetsOf(half: number): number[] {
 
 /** All examples of a track, row after row: frames x examplesPerFrame x featureSize. */
 export function featuresOf(track: MotionTrack, o: FeatureOptions): Float32Array {
-  return o.set === "paper" ? paperFeatures(track, o.half) : ownFeatures(track, o.half);
+  return o.set === "own" ? ownFeatures(track, o.half) : paperFeatures(track, o.half, o.set);
 }
 
 const clamp = (f: number, n: number): number => (f < 0 ? 0 : f >= n ? n - 1 : f);
@@ -58,8 +63,8 @@ const clamp = (f: number, n: number): number => (f < 0 ? 0 : f >= n ? n - 1 : f)
 /** The examples of one frame of a track: examplesPerFrame x featureSize. */
 export function featuresOfFrame(track: MotionTrack, frame: number, o: FeatureOptions): Float32Array {
   const out = new Float32Array(examplesPerFrame(o) * featureSize(o));
-  if (o.set === "paper") {
-    paperRow(out, 0, track, frame, o.half);
+  if (o.set !== "own") {
+    paperRow(out, 0, track, frame, o.half, o.set);
     return out;
   }
   const offsets = offsetsOf(o.half);
@@ -68,14 +73,21 @@ export function featuresOfFrame(track: MotionTrack, frame: number, o: FeatureOpt
   return out;
 }
 
-function paperFeatures(track: MotionTrack, half: number): Float32Array {
-  const size = (2 * half + 1) * 18;
+function paperFeatures(track: MotionTrack, half: number, set: BodySet): Float32Array {
+  const size = (2 * half + 1) * BODY_ROW[set];
   const out = new Float32Array(track.frames * size);
-  for (let f = 0; f < track.frames; f++) paperRow(out, f * size, track, f, half);
+  for (let f = 0; f < track.frames; f++) paperRow(out, f * size, track, f, half, set);
   return out;
 }
 
-function paperRow(out: Float32Array, at: number, track: MotionTrack, f: number, half: number): void {
+function paperRow(
+  out: Float32Array,
+  at: number,
+  track: MotionTrack,
+  f: number,
+  half: number,
+  set: BodySet,
+): void {
   const unit = 1 / track.leg;
   const x = track.root[4 * f];
   const y = track.root[4 * f + 1];
@@ -83,18 +95,19 @@ function paperRow(out: Float32Array, at: number, track: MotionTrack, f: number, 
   const c = Math.cos(track.root[4 * f + 3]);
   const s = Math.sin(track.root[4 * f + 3]);
   let i = at;
+  const put = (from: Float64Array, o: number): void => {
+    const dx = from[o] - x;
+    const dz = from[o + 2] - z;
+    out[i++] = (c * dx - s * dz) * unit;
+    out[i++] = (from[o + 1] - y) * unit;
+    out[i++] = (s * dx + c * dz) * unit;
+  };
   for (let k = -half; k <= half; k++) {
     const g = clamp(f + k, track.frames);
-    for (let side = 0; side < 2; side++) {
-      const base = (2 * g + side) * LEG_ROW;
-      for (let p = 0; p < 9; p += 3) {
-        const dx = track.points[base + p] - x;
-        const dz = track.points[base + p + 2] - z;
-        out[i++] = (c * dx - s * dz) * unit;
-        out[i++] = (track.points[base + p + 1] - y) * unit;
-        out[i++] = (s * dx + c * dz) * unit;
-      }
-    }
+    for (let side = 0; side < 2; side++)
+      for (let p = set === "paper-knees" ? 3 : 0; p < 9; p += 3)
+        put(track.points, (2 * g + side) * LEG_ROW + p);
+    if (set === "paper-root") put(track.root, 4 * g);
   }
 }
 
@@ -153,7 +166,7 @@ function footRows(track: MotionTrack, side: number): Float64Array {
 
 /** Frames before a frame that its features look at. */
 export const lookBack = (o: FeatureOptions): number =>
-  o.set === "paper" ? o.half : o.half + Math.max(FLOOR, REST + 3 * DRIFT_SOFT + 1);
+  o.set !== "own" ? o.half : o.half + Math.max(FLOOR, REST + 3 * DRIFT_SOFT + 1);
 
 /** Half of the time in which a foot is expected to rest once, frames, and softness of the drift found, frames. */
 const REST = 32;

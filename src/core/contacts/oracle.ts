@@ -75,7 +75,7 @@ export function trainOracle(
 export function examplesOf(sources: readonly LabelledTrack[], options: OracleOptions): Examples {
   const size = featureSize(options);
   const per = examplesPerFrame(options);
-  const doubled = options.set === "paper";
+  const doubled = options.set !== "own";
   let count = 0;
   for (const s of sources) {
     if (s.labels.length !== s.track.frames)
@@ -116,6 +116,18 @@ export interface OracleAnswer {
 
 /** Labels of a whole motion. */
 export function askOracle(oracle: Oracle, track: MotionTrack): OracleAnswer {
+  const asked = askInSlices(oracle, track, track.frames);
+  let step = asked.next();
+  while (!step.done) step = asked.next();
+  return step.value;
+}
+
+/** The same in slices of so many frames: yields the share that is done, so that hosts can show it or stop. */
+export function* askInSlices(
+  oracle: Oracle,
+  track: MotionTrack,
+  slice: number,
+): Generator<number, OracleAnswer> {
   const { options, index } = oracle;
   const per = examplesPerFrame(options);
   const features = featuresOf(track, options);
@@ -128,6 +140,7 @@ export function askOracle(oracle: Oracle, track: MotionTrack): OracleAnswer {
       findNearest(search, features, (f * per + e) * index.size);
       voteFrame(oracle, search.found, search.size, share, 4 * f + 2 * e);
       distance[f] = Math.max(distance[f], Math.sqrt(search.distance[0]));
+      if ((f + 1) % slice === 0) yield (e + (f + 1) / n) / per;
     }
   }
   return { labels: labelsOf(share, n, options), share, distance };
@@ -141,7 +154,7 @@ export function voteFrame(
   share: Float32Array,
   at: number,
 ): void {
-  const bits = oracle.options.set === "paper" ? 4 : 2;
+  const bits = oracle.options.set === "own" ? 2 : 4;
   for (let i = 0; i < size; i++) {
     const l = oracle.labels[found[i]];
     for (let b = 0; b < bits; b++) share[at + b] += (l >> b) & 1;

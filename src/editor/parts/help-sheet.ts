@@ -3,7 +3,7 @@ import { html, nothing, render } from "lit";
 import type { Editor } from "../editor.ts";
 import { allKeys } from "../keys.ts";
 
-const GROUPS = ["Tools", "Selected", "Time", "Scene"] as const;
+const GROUPS = ["Tools", "Selected", "Time", "Scene", "Labels"] as const;
 
 let dialog: HTMLDialogElement | null = null;
 let search = "";
