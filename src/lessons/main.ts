@@ -46,16 +46,15 @@ function mountFigures(parameters: Parameters): void {
     figure.prepend(box);
     const load = FIGURES[name];
     if (!load) throw new Error(`${name}: no such figure is known.`);
-    load().then(
-      (make) => {
-        make({ figure, box, parameters });
-        addResets(figure, box, parameters);
-        figure.dataset.mounted = "true";
-      },
-      (error: unknown) => {
-        box.append(el("p", { class: "finding" }, error instanceof Error ? error.message : String(error)));
-      },
-    );
+    const made = async (): Promise<void> => {
+      const make = await load();
+      await make({ figure, box, parameters });
+      addResets(figure, box, parameters);
+      figure.dataset.mounted = "true";
+    };
+    made().catch((error: unknown) => {
+      box.append(el("p", { class: "finding" }, error instanceof Error ? error.message : String(error)));
+    });
   };
   const near = new IntersectionObserver(
     (entries) => {

@@ -10,4 +10,9 @@ export const FIGURES: Record<string, () => Promise<MountFigure>> = {
   "loop-joint": async () => (await import("./loop-joint.ts")).mount,
   "blend-length": async () => (await import("./blend-length.ts")).mount,
   "stride-scale": async () => (await import("./stride-scale.ts")).mount,
+  triangles: async () => (await import("./triangles.ts")).mount,
+  polar: async () => (await import("./polar.ts")).mount,
+  "next-foot-pendulum": async () => (await import("./next-foot.ts")).mountPendulum,
+  "one-step": async () => (await import("./one-step.ts")).mount,
+  search: async () => (await import("./search.ts")).mount,
 };

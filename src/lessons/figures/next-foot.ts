@@ -5,6 +5,8 @@ import type { Plan, PlannedStep } from "../../core/tasks/plan-types.ts";
 import { type NextFoot, nextFootCheckpoint } from "../kit/checkpoint.ts";
 import type { MountFigure } from "../kit/figure.ts";
 import type { FloorPrint } from "../kit/floor.ts";
+import { fixed } from "../kit/numbers.ts";
+import { walkOf } from "./pendulum-walk.ts";
 
 const BECAUSE: Partial<Record<StepCategory, string>> = {
   TurnAndStep:
@@ -51,4 +53,35 @@ export const mountTask: MountFigure = ({ box }) => {
   };
   scene?.addEventListener("planned", begin);
   begin();
+};
+
+/** Questions from walks of the pendulum: nearly straight, bent, slow. */
+export const mountPendulum: MountFigure = ({ box }) => {
+  const actions = [
+    {
+      turn: 0.1,
+      speed: 1.3,
+      why: "The path is nearly straight: the foot lands beside the apex of its parabola, half a step width out.",
+    },
+    {
+      turn: 0.6,
+      speed: 1.0,
+      why: "The parabola bends strongly, so its apex lies farther out, and the foot that it bends about farther still.",
+    },
+    {
+      turn: 0.25,
+      speed: 0.7,
+      why: "A slower walker covers less ground in the same time: the step is shorter and as wide.",
+    },
+  ];
+  nextFootCheckpoint(
+    box,
+    actions.map(({ turn, speed, why }): NextFoot => {
+      const steps = walkOf({ turn, speed, duration: 0.5, count: 5 });
+      return {
+        steps: steps.map((s) => s.print),
+        because: `${why} Each step here takes 0.50 s at ${fixed(speed, 1)} m/s.`,
+      };
+    }),
+  );
 };

@@ -10,7 +10,7 @@ export interface FigureContext {
   parameters: Parameters;
 }
 
-export type MountFigure = (context: FigureContext) => void;
+export type MountFigure = (context: FigureContext) => void | Promise<void>;
 
 /** Writes numbers into the formulas and sentences that name them with `data-value`. */
 export function fillValues(values: Record<string, string>): void {

@@ -44,6 +44,7 @@ export class Floor {
     readonly view: FloorView,
     label: string,
     widthPx = 440,
+    private readonly unit = "m",
   ) {
     this.widthPx = widthPx;
     this.heightPx = Math.round(widthPx * view.aspect);
@@ -84,7 +85,7 @@ export class Floor {
     const word = svgEl(
       "text",
       { x: x - metre / 2, y: y - 6, "text-anchor": "middle" },
-      every === 1 ? "1 m" : "0.5 m",
+      `${every} ${this.unit}`,
     );
     g.append(
       svgEl("path", { class: "rule", d: `M${x - metre} ${y - 3}v6M${x - metre} ${y}H${x}M${x} ${y - 3}v6` }),
