@@ -1,4 +1,4 @@
-/** Makes `public/generated/library.bin` before the site is served or built, when anything it is made of has changed. */
+/** Makes `public/generated/library.bin` and the starting oracle `oracle.bin` before the site is served or built, when anything it is made of has changed. */
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -6,6 +6,7 @@ import { pathToFileURL } from "node:url";
 import type { Plugin } from "vite";
 
 const OUT = "public/generated/library.bin";
+const ORACLE = "public/generated/oracle.bin";
 const NOTE = "public/generated/library.hash";
 
 function digest(folders: readonly string[]): string {
@@ -34,7 +35,7 @@ export async function ensureLibrary(): Promise<void> {
     "src/core/math",
     "src/core/skeleton",
   ]);
-  if (existsSync(OUT) && existsSync(NOTE) && readFileSync(NOTE, "utf8") === now) return;
+  if (existsSync(OUT) && existsSync(ORACLE) && existsSync(NOTE) && readFileSync(NOTE, "utf8") === now) return;
   console.error("stepwright: making the captures and their library ...");
   const { built } = (await import(pathToFileURL(resolve("src/cli/build.mjs")).href)) as {
     built(entry: string, name: string, folders: string[]): Promise<string>;
@@ -45,6 +46,8 @@ export async function ensureLibrary(): Promise<void> {
   mkdirSync("public/generated", { recursive: true });
   const code = await main(["library", "--out", OUT]);
   if (code !== 0) throw new Error("stepwright: the library could not be made.");
+  const trained = await main(["contacts-train", "--onto", "starting", "--out", ORACLE]);
+  if (trained !== 0) throw new Error("stepwright: the starting oracle could not be made.");
   writeFileSync(NOTE, now);
 }
 

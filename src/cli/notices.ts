@@ -16,6 +16,8 @@ interface Manifest {
   version?: string;
   license?: string;
   dependencies?: Record<string, string>;
+  /** Ours: packages that are in the site and not among the library's dependencies. */
+  sitePackages?: string[];
 }
 
 const manifest = (folder: string): Manifest =>
@@ -30,11 +32,12 @@ function folderOf(name: string, from: string): string {
   }
 }
 
-/** Every package that `dependencies` brings along, in order of their names. @throws Error when one is not installed. */
+/** Every package that `dependencies`, and what the site has beside them, bring along, in order of their names. @throws Error when one is not installed. */
 export function runtimePackages(root: string): RuntimePackage[] {
   const found = new Map<string, RuntimePackage>();
   const visit = (folder: string): void => {
-    for (const name of Object.keys(manifest(folder).dependencies ?? {})) {
+    const { dependencies = {}, sitePackages = [] } = manifest(folder);
+    for (const name of [...Object.keys(dependencies), ...(folder === root ? sitePackages : [])]) {
       const at = folderOf(name, folder);
       const m = manifest(at);
       const key = `${name}@${m.version ?? ""}`;

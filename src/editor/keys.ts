@@ -7,7 +7,7 @@ export interface KeyBinding {
   /** As the sheet shows it, where that differs: "arrows". */
   shown?: string;
   label: string;
-  group: "Tools" | "Selected" | "Time" | "Scene";
+  group: "Tools" | "Selected" | "Time" | "Scene" | "Labels";
   when?(e: Editor): boolean;
   run?(e: Editor): void;
 }

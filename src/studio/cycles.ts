@@ -7,6 +7,7 @@ import { toWorld } from "../core/math/frame2.ts";
 import { DEFAULT_PROPORTIONS, REFERENCE_HEIGHT } from "../core/skeleton/skeleton.ts";
 import { straightScore } from "./choreography/straight.ts";
 import { createWalker, finish, middle, other, sideOf, standingPair, step } from "./choreography/walker.ts";
+import { paceAt } from "./pace.ts";
 import type { Actor, Pace, Score } from "./score.ts";
 
 const DEG = Math.PI / 180;
@@ -21,12 +22,6 @@ const JOG: Partial<Pace> = { length: 0.8, time: 0.385, stance: 0.46, width: 0.08
 const RUN: Partial<Pace> = { length: 0.97, time: 0.378, stance: 0.4, width: 0.07 };
 /** Between walking and jogging: blends of the two alone would shuffle. */
 const SLOW_JOG: Partial<Pace> = { length: 0.64, time: 0.39, stance: 0.48, width: 0.08 };
-
-/** Comfortable pace at a speed: length and time share the change, stance shortens [Grieve and Gear 1966]. */
-export function paceAt(speed: number): Partial<Pace> {
-  const length = 0.635 * (speed / 1.15) ** 0.42;
-  return { length, time: length / speed, stance: 0.655 - 0.06 * (speed - 1.15) };
-}
 
 function straight(name: string, seed: number, pace: Partial<Pace>): Score {
   return straightScore({ name, seed, actor: { ...ADULT, pace: { ...pace, noise: EVEN } }, steps: STEPS });
@@ -169,6 +164,6 @@ export function cyclicScores(): Score[] {
     ...[0.3, -0.3].map((d, i) => sideways(`cycle-side-ahead-${i + 1}`, 225 + i, d, 0.15)),
     ...[0.3, -0.3].map((d, i) => sideways(`cycle-side-back-${i + 1}`, 227 + i, d, -0.15)),
     ...[0.2, 0.32, 0.44].map((d, i) => backwards(`cycle-back-${i + 1}`, 231 + i, d, 0)),
-    ...[10, -10].map((a, i) => backwards(`cycle-back-turn-${i + 1}`, 234 + i, 0.28, a * DEG)),
+    ...[8, -8].map((a, i) => backwards(`cycle-back-turn-${i + 1}`, 234 + i, 0.28, a * DEG)),
   ];
 }

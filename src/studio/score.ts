@@ -8,7 +8,7 @@
  */
 import type { SidecarTask } from "../core/capture/sidecar.ts";
 import type { Proportions } from "../core/skeleton/skeleton.ts";
-import type { Foot } from "../core/steps/types.ts";
+import type { Foot, StepCategory } from "../core/steps/types.ts";
 import type { GaitShape } from "./gait-shape.ts";
 import type { Phrase } from "./layers/phrase.ts";
 
@@ -22,7 +22,7 @@ export interface ScoreStance {
  * How a foot goes:
  * - `walk`: heel strike, roll, push-off;
  * - `run`: lands under a bent knee while the other foot is still in the air, flies off the toes;
- * - `turnStep`: a walking step that turns;
+ * - `turnStep`: a walking step whose foot turns by 0.3 radians or more;
  * - `side`, `close`: toe-first low step to the side / to stand beside the other foot;
  * - `forward`, `backward`: a small step during a task;
  * - `heelPivot`, `toePivot`: the foot turns about its heel / ball without leaving the ground (yaw alone is read
@@ -42,6 +42,20 @@ export const STEP_KINDS = [
   "slide",
 ] as const;
 export type StepKind = (typeof STEP_KINDS)[number];
+
+/** What segmentation should call each kind of step; null where it depends on where the step goes. */
+export const CATEGORY_OF: Record<StepKind, StepCategory | null> = {
+  walk: "Walk",
+  run: "Walk",
+  turnStep: "TurnAndStep",
+  side: "SideStep",
+  close: null,
+  forward: "ForwardStepDuringTask",
+  backward: "BackwardStepDuringTask",
+  heelPivot: "HeelPivot",
+  toePivot: "ToePivot",
+  slide: null,
+};
 
 export interface ScoreStep {
   foot: Foot;
@@ -173,6 +187,21 @@ export interface Actor {
 export const paceOf = (actor: Actor): Pace => ({ ...DEFAULT_PACE, ...actor.pace });
 export const moodOf = (actor: Actor): Mood => ({ ...NEUTRAL, ...actor.mood });
 
+/**
+ * Layers of the rendering that can be switched off, to see what each adds:
+ * - `roll`: heel strike, heel-off and toe-off; without, feet stay flat;
+ * - `balance`: the hips' way from the zero-moment point; without, they drift after the pressure;
+ * - `rhythm`: pelvis, trunk and arms over the gait; without, the body is carried stiffly;
+ * - `knees`: hips and airborne feet give way where a knee would jerk;
+ * - `flight`: the whole body falls freely in a run's flight;
+ * - `gaze`: the head leads turns and holds what it looks at;
+ * - `tasks`: bending, reaching, carrying, sitting, writing;
+ * - `alive`: breathing, sway, the ring after a strike, noise.
+ */
+export const LAYERS = ["roll", "balance", "rhythm", "knees", "flight", "gaze", "tasks", "alive"] as const;
+export type Layer = (typeof LAYERS)[number];
+export type Layers = Record<Layer, boolean>;
+
 export interface Score {
   name: string;
   actor: Actor;
@@ -185,4 +214,10 @@ export interface Score {
   events: ScoreEvent[];
   /** Where the eyes go, in order of time; between, the head follows the walk (and leads turns). */
   gaze: { time: number; target: [number, number, number] | null }[];
+  /** Layers that are not to be rendered; all others are. */
+  without?: readonly Layer[];
 }
+
+/** Which layers a score wants. */
+export const layersOf = (score: Score): Layers =>
+  Object.fromEntries(LAYERS.map((l) => [l, !score.without?.includes(l)])) as Layers;

@@ -270,6 +270,14 @@ function mixed(): Score[] {
       { category: "lift", x: -1.1, z: -1, yaw: -90 * DEG, y: 0.87 },
       { category: "place", x: -1.24, z: -1, yaw: -90 * DEG, y: 0.87 },
     ]),
+    performance("steps-closer", 65, { x: -1, z: -2, yaw: 0.4 }, [
+      write(0, 1.35, { adjust: 0.13 }),
+      { category: "lift", x: 1.5, z: -1, yaw: 90 * DEG, y: 0.87, adjust: 0.11 },
+      { category: "place", x: -1.4, z: -1.2, yaw: -90 * DEG, y: 0.87, adjust: 0.12 },
+      write(0.6, 1.3, { adjust: 0.15 }),
+      { category: "turn", x: 0.4, z: -2.4, yaw: 180 * DEG },
+      write(-0.8, 1.4, { adjust: 0.1 }),
+    ]),
   ];
 }
 

@@ -179,6 +179,9 @@ const SPECS: Record<Style, StyleSpec> = {
   },
 };
 
+/** How a style's actor goes. */
+export const styleManner = (style: Style): Omit<StyleSpec, "steps"> => SPECS[style];
+
 /** The straight sample of a style. */
 export function styleScore(style: Style): Score {
   const spec = SPECS[style];

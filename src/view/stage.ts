@@ -391,6 +391,12 @@ export class Stage {
     });
   }
 
+  /** The same at once, as a data address: printing does not wait. */
+  still(): string {
+    this.renderer.render(this.scene, this.camera);
+    return this.canvas.toDataURL("image/png");
+  }
+
   /** Asks for a frame. */
   invalidate(): void {
     if (this.waiting) return;

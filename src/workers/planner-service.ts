@@ -25,6 +25,7 @@ import { storyOf } from "../core/styles/story.ts";
 import { goalsOf, planScene } from "../core/tasks/plan-scene.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
 import type { TaskGoal } from "../core/tasks/transition.ts";
+import { mergeLibraries } from "../core/templates/build-library.ts";
 import { decodeLibrary } from "../core/templates/library-file.ts";
 import { retargetLibrary } from "../core/templates/retarget-library.ts";
 import type { Library } from "../core/templates/types.ts";
@@ -78,6 +79,9 @@ async function fetchLibrary(url: string): Promise<Uint8Array> {
  */
 export function createPlanner(post: PostAnswer, slice: number = SLICE): (message: PlannerRequest) => void {
   let base: Library | null = null;
+  /** The library that was loaded, without a person's own. */
+  let loaded: Library | null = null;
+  let own: Library | null = null;
   const characters = new Map<string, Character>();
   /** The plan that each asker plays, by `client`. */
   const played = new Map<number, Playing>();
@@ -91,7 +95,15 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
   const pause = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
 
   async function load(from: string | Uint8Array): Promise<void> {
-    base = decodeLibrary(typeof from === "string" ? await fetchLibrary(from) : from);
+    loaded = decodeLibrary(typeof from === "string" ? await fetchLibrary(from) : from);
+    use();
+  }
+
+  /** The loaded library with a person's own beside it. */
+  function use(): void {
+    if (!loaded) return;
+    base = own ? mergeLibraries([loaded, own]) : loaded;
+    characters.clear();
     post({
       type: "ready",
       templates: base.templates.length,
@@ -328,6 +340,15 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
         break;
       case "forget-style":
         paths.forgetStyle(message.name);
+        break;
+      case "own":
+        try {
+          own = message.bytes ? decodeLibrary(message.bytes) : null;
+          use();
+        } catch (error) {
+          own = null;
+          post({ type: "failed", id: 0, message: error instanceof Error ? error.message : String(error) });
+        }
         break;
       case "cancel":
         if (newest?.id === message.id) newest = null;

@@ -37,7 +37,9 @@ export type PlannerRequest =
   | { type: "forget-style"; name: string }
   /** First: where the library is, or its bytes. Answered by `ready` or `failed` with id 0. */
   | { type: "load"; url: string }
-  | { type: "load"; bytes: Uint8Array };
+  | { type: "load"; bytes: Uint8Array }
+  /** A person's own library beside the loaded one, or none any more. Answered by `ready` or `failed` with id 0. */
+  | { type: "own"; bytes: Uint8Array | null };
 
 export type PlannerResponse =
   | { type: "ready"; templates: number; clips: number; transitions: number[][] }

@@ -1,5 +1,5 @@
 /** Cost of crowds that plan footsteps: per plan, per agent and tick, and the longest tick. */
-import { createCrowd, stepCrowd } from "../../src/core/crowd/simulate.ts";
+import { createCrowd, stepCrowd } from "../../src/core/crowd/crowd.ts";
 import type { CrowdWorld } from "../../src/core/crowd/types.ts";
 import { createRandom } from "../../src/core/math/random.ts";
 import { figure } from "./measure.ts";

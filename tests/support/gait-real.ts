@@ -18,6 +18,10 @@ export interface RealGait {
   flight_fraction: Average;
   speed_cm_s: Average;
   cadence_steps_min: Average;
+  cycle_s: Average;
+  step_length_cm: Average;
+  step_width_cm: Average;
+  toe_out_deg: Average;
   pelvis_vertical_excursion_cm: Average;
   pelvis_lateral_excursion_cm: Average;
   swing_min_tip_clearance_cm: Average;
@@ -33,17 +37,24 @@ export function realGait(group: string): RealGait {
 }
 
 /** Shares of the cycle inside max(SD, 3 degrees) of the real mean and inside twice that, and the rms, degrees. */
-export function curveShares(
-  ours: GaitAnalysis,
-  real: RealGait,
-  joint: "hip" | "knee" | "ankle",
-): { once: number; twice: number; rms: number } {
+export function curveShares(ours: GaitAnalysis, real: RealGait, joint: "hip" | "knee" | "ankle"): Shares {
+  return sharesOf(ours[joint].mean, real, joint);
+}
+
+interface Shares {
+  once: number;
+  twice: number;
+  rms: number;
+}
+
+/** Likewise of any curve over the cycle, degrees. */
+export function sharesOf(curve: ArrayLike<number>, real: RealGait, joint: "hip" | "knee" | "ankle"): Shares {
   const { mean, sd } = real.curves_deg[joint];
   let once = 0;
   let twice = 0;
   let square = 0;
   for (let i = 0; i < GAIT_PHASES; i++) {
-    const d = Math.abs(ours[joint].mean[i] - mean[i]);
+    const d = Math.abs(curve[i] - mean[i]);
     const band = Math.max(3, sd[i]);
     if (d <= band) once++;
     if (d <= 2 * band) twice++;

@@ -4,14 +4,18 @@ import { describe, expect, it } from "vitest";
 import { parseBvh } from "../../src/core/capture/bvh-parse.ts";
 import { writeBvh } from "../../src/core/capture/bvh-write.ts";
 import { importBvh } from "../../src/core/capture/import.ts";
-import { cleanBvh, rewriteBvh } from "../../src/core/cleanup/clean-bvh.ts";
+import { cleanBvh } from "../../src/core/cleanup/clean-bvh.ts";
 import { eulerNear } from "../../src/core/cleanup/euler.ts";
+import { rewriteBvh } from "../../src/core/cleanup/file-motion.ts";
+import { plantSlides } from "../../src/core/cleanup/slides.ts";
 import { rankSegments } from "../../src/core/contacts/active-learning.ts";
 import { parseContactsCsv } from "../../src/core/contacts/csv.ts";
+import { lookBack } from "../../src/core/contacts/features.ts";
 import { decodeOracle, encodeOracle } from "../../src/core/contacts/model-file.ts";
-import { trackOf } from "../../src/core/contacts/motion-track.ts";
+import { LEG_ROW, trackOf } from "../../src/core/contacts/motion-track.ts";
 import { createNearestIndex, createNearestSearch, findNearest } from "../../src/core/contacts/nearest.ts";
 import { askOracle, OWN_ORACLE, PAPER_ORACLE, trainOracle } from "../../src/core/contacts/oracle.ts";
+import { createOracleStream, type LiveLabel } from "../../src/core/contacts/stream.ts";
 import { quatFromAxisAngle, quatMultiply } from "../../src/core/math/quaternion.ts";
 import { createRandom } from "../../src/core/math/random.ts";
 import { addScore, emptyScore } from "../support/contact-score.ts";
@@ -84,6 +88,52 @@ describe("the oracle", () => {
     expect(() =>
       parseContactsCsv("frame,left_heel,left_toe,right_heel,right_toe\n0,1,2,0,0\n", "a.csv"),
     ).toThrow("a.csv, line 2");
+  });
+
+  it("answers a motion that is still being made, ten frames later, as it answers the whole one", () => {
+    const o = { ...PAPER_ORACLE, shortest: 0 };
+    const oracle = trainOracle(sources.slice(1, 3), o);
+    const { track } = sources[0];
+    const whole = askOracle(oracle, track);
+    const live = createOracleStream(oracle, track.leg);
+    expect(live.latency).toBe(10);
+    const answers: LiveLabel[] = [];
+    for (let f = 0; f < track.frames; f++) {
+      const a = live.push(
+        track.points.subarray(2 * LEG_ROW * f, 2 * LEG_ROW * (f + 1)),
+        track.root.subarray(4 * f, 4 * f + 4),
+      );
+      expect(a === null).toBe(f < 10);
+      if (a) answers.push(a);
+    }
+    answers.push(...live.end());
+    expect(answers.map((a) => a.frame)).toEqual(Array.from({ length: track.frames }, (_, f) => f));
+    expect(answers.map((a) => a.labels)).toEqual([...whole.labels]);
+    expect(answers.map((a) => Math.fround(a.distance))).toEqual([...whole.distance]);
+  });
+
+  it("answers live with its own features as a whole motion that ends where the live one is now", () => {
+    const o = { ...OWN_ORACLE, shortest: 0 };
+    const oracle = trainOracle(sources.slice(1, 3), o);
+    const { track } = sources[0];
+    const live = createOracleStream(oracle, track.leg);
+    for (let f = 0; f < 240; f++) {
+      const a = live.push(
+        track.points.subarray(2 * LEG_ROW * f, 2 * LEG_ROW * (f + 1)),
+        track.root.subarray(4 * f, 4 * f + 4),
+      );
+      if (!a || f % 40 !== 0) continue;
+      const first = Math.max(0, f - 10 - lookBack(o));
+      const seen = {
+        ...track,
+        frames: f + 1 - first,
+        points: track.points.slice(2 * LEG_ROW * first, 2 * LEG_ROW * (f + 1)),
+        root: track.root.slice(4 * first, 4 * (f + 1)),
+      };
+      const { share } = askOracle(oracle, seen);
+      const at = 4 * (a.frame - first);
+      expect(a.share).toEqual([share[at], share[at + 1], share[at + 2], share[at + 3]]);
+    }
   });
 
   it("asks first for the segment that it knows least [Oracle §5]", () => {
@@ -186,6 +236,8 @@ describe.skipIf(!hasShared)("the oracle on captures that people made and checked
     const { file, report } = cleanBvh(parseBvh(text, path), c.clip, c.labels);
     expect(report.plants).toBeGreaterThan(8);
     expect(report.largestMove).toBeLessThan(0.08);
+    expect(plantSlides(parseBvh(text, path), c.clip, c.labels)).toBeGreaterThan(15);
+    expect(plantSlides(file, c.clip, c.labels)).toBeLessThan(2);
     expect(file.values.every(Number.isFinite)).toBe(true);
   });
 });

@@ -2,7 +2,8 @@ import { describe, expect, it } from "vitest";
 import { solePoints } from "../../src/core/contacts/baselines.ts";
 import { pivotPlace, plantedAnkle } from "../../src/core/motion/sole.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
-import { STEP_CATEGORIES } from "../../src/core/steps/types.ts";
+import { STEP_CATEGORIES, type StepCategory } from "../../src/core/steps/types.ts";
+import { CATEGORY_OF, type StepKind } from "../../src/studio/score.ts";
 import { studio } from "../support/library.ts";
 
 describe("planted foot", () => {
@@ -107,11 +108,43 @@ describe("the whole set that ships", () => {
     }
   });
 
-  it("has every step category thirty times", () => {
-    const count = new Map<string, number>();
-    for (const clip of studio().library.clips.slice(0, studio().rendered.length))
-      for (const s of clip.steps) count.set(s.category, (count.get(s.category) ?? 0) + 1);
-    for (const category of STEP_CATEGORIES)
-      expect(count.get(category) ?? 0, category).toBeGreaterThanOrEqual(30);
+  it("has every step category thirty times, and segmentation finds each, named right, within two frames", () => {
+    const seen = new Map<StepCategory, { count: number; named: number; timed: number }>();
+    for (const c of STEP_CATEGORIES) seen.set(c, { count: 0, named: 0, timed: 0 });
+    let late = 0;
+    let all = 0;
+    const { rendered, library } = studio();
+    rendered.forEach((r, i) => {
+      const found = [...library.clips[i].steps];
+      for (const s of r.sidecar.steps ?? []) {
+        const off = (k: number) =>
+          Math.max(Math.abs(found[k].start - 60 * s.lift), Math.abs(found[k].end - 60 * s.land));
+        let best = -1;
+        for (let k = 0; k < found.length; k++)
+          if (found[k].foot === s.foot && (best < 0 || off(k) < off(best))) best = k;
+        expect(best, `${r.name}: ${s.category} at ${s.lift}`).toBeGreaterThanOrEqual(0);
+        expect(off(best), `${r.name}: ${s.category} at ${s.lift}`).toBeLessThan(20);
+        const [step] = found.splice(best, 1);
+        const inTime = Math.abs(step.start - 60 * s.lift) <= 2.01 && Math.abs(step.end - 60 * s.land) <= 2.01;
+        all++;
+        if (!inTime) late++;
+        const wanted = CATEGORY_OF[s.category as StepKind];
+        const row = wanted && seen.get(wanted);
+        if (!row) continue;
+        row.count++;
+        if (step.category === wanted) row.named++;
+        if (inTime) row.timed++;
+      }
+      expect(found, `${r.name}: steps that nobody took`).toEqual([]);
+    });
+    console.log(
+      [...seen].map(([c, s]) => `${c}: ${s.count}, named right ${s.named}, in time ${s.timed}`).join("\n"),
+    );
+    for (const [category, s] of seen) {
+      expect(s.count, category).toBeGreaterThanOrEqual(30);
+      expect(s.named / s.count, category).toBeGreaterThanOrEqual(0.97);
+      expect(s.timed / s.count, category).toBeGreaterThanOrEqual(0.98);
+    }
+    expect(late / all).toBeLessThan(0.01);
   });
 });

@@ -2,7 +2,8 @@
 import { writeFileSync } from "node:fs";
 import { parseBvh } from "../../core/capture/bvh-parse.ts";
 import { importBvh } from "../../core/capture/import.ts";
-import { cleanBvh, rewriteBvh } from "../../core/cleanup/clean-bvh.ts";
+import { cleanBvh } from "../../core/cleanup/clean-bvh.ts";
+import { rewriteBvh } from "../../core/cleanup/file-motion.ts";
 import { needed, one, outputs, readOptions } from "../args.ts";
 import { readText } from "../read.ts";
 import { detector } from "./contact-model.ts";

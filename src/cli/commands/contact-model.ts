@@ -1,10 +1,13 @@
 /** The contacts of a capture by the method asked for. */
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
 import type { Clip } from "../../core/capture/clip.ts";
 import { CONTACT_METHODS, type ContactMethod, detectContacts } from "../../core/contacts/baselines.ts";
-import { decodeOracle } from "../../core/contacts/model-file.ts";
+import { asRested } from "../../core/contacts/convention.ts";
+import { decodeOracle, encodeOracle } from "../../core/contacts/model-file.ts";
 import { trackOf } from "../../core/contacts/motion-track.ts";
-import { askOracle } from "../../core/contacts/oracle.ts";
+import { askOracle, type Oracle } from "../../core/contacts/oracle.ts";
 import type { ContactTrack } from "../../core/steps/types.ts";
 import { startingOracle } from "../../studio/starting-oracle.ts";
 import { UsageError } from "../args.ts";
@@ -18,7 +21,43 @@ export function detector(method: string, model: string | undefined): Detector {
       throw new UsageError(`--method: one of oracle, ${CONTACT_METHODS.join(", ")} is needed.`);
     return (clip) => detectContacts(clip, method as ContactMethod);
   }
-  if (!model) console.error("making the starting oracle from the studio's captures ...");
-  const oracle = model ? decodeOracle(new Uint8Array(readFileSync(model)), model) : startingOracle();
+  const oracle = model ? readModel(model) : startingModel();
   return (clip) => askOracle(oracle, trackOf(clip)).labels;
+}
+
+/** Contacts that steps are made of: as when the points rest, whatever the method calls planted. */
+export function stepDetector(method: string, model: string | undefined): Detector {
+  const detect = detector(method, model);
+  return method === "oracle" ? (clip) => asRested(detect(clip)) : detect;
+}
+
+/** A model file. @throws ModelError for a broken one, Error "F: could not be read: ..." */
+export function readModel(path: string): Oracle {
+  let bytes: Uint8Array;
+  try {
+    bytes = new Uint8Array(readFileSync(path));
+  } catch (error) {
+    throw new Error(`${path}: could not be read: ${error instanceof Error ? error.message : String(error)}`);
+  }
+  return decodeOracle(bytes, path);
+}
+
+/** The starting oracle: made once for each build of the command line and kept beside it. */
+export function startingModel(): Oracle {
+  made ??= makeStarting();
+  return made;
+}
+
+let made: Oracle | null = null;
+
+function makeStarting(): Oracle {
+  const built = fileURLToPath(import.meta.url);
+  const kept = join(dirname(built), "starting-oracle.bin");
+  const keeps = built.endsWith(".mjs");
+  if (keeps && existsSync(kept) && statSync(kept).mtimeMs >= statSync(built).mtimeMs)
+    return decodeOracle(new Uint8Array(readFileSync(kept)), kept);
+  console.error("making the starting oracle from the studio's captures ...");
+  const oracle = startingOracle();
+  if (keeps) writeFileSync(kept, encodeOracle(oracle));
+  return oracle;
 }

@@ -6,12 +6,15 @@ import { trackOf } from "../../core/contacts/motion-track.ts";
 import { OWN_ORACLE, PAPER_ORACLE, trainOracle } from "../../core/contacts/oracle.ts";
 import { needed, one, readOptions, UsageError } from "../args.ts";
 import { readCapture, readText } from "../read.ts";
+import { readModel, startingModel } from "./contact-model.ts";
 
 export const contactsTrainCommand = {
-  usage: "contacts-train --pairs A.bvh=A.csv ... --out F [--features own|paper]",
+  usage: "contacts-train --pairs A.bvh=A.csv ... --out F [--features own|paper] [--onto starting|F]",
   run(args: string[]) {
-    const o = readOptions(args, { pairs: "many", out: "one", features: "one" });
-    needed(o, "pairs");
+    const o = readOptions(args, { pairs: "many", out: "one", features: "one", onto: "one" });
+    const onto = one(o, "onto");
+    // The starting oracle alone needs no pairs.
+    if (onto !== "starting") needed(o, "pairs");
     const out = needed(o, "out");
     const features = one(o, "features") ?? "own";
     if (features !== "own" && features !== "paper")
@@ -33,7 +36,14 @@ export const contactsTrainCommand = {
       );
       return { track: trackOf(clip), labels };
     });
-    const oracle = trainOracle(sources, features === "own" ? OWN_ORACLE : PAPER_ORACLE);
+    const before = onto === undefined ? null : onto === "starting" ? startingModel() : readModel(onto);
+    if (before && before.options.set !== features)
+      throw new UsageError(`--onto: ${onto} has the ${before.options.set} features.`);
+    const oracle = trainOracle(
+      [...(before?.sources ?? []), ...sources],
+      before?.options ?? (features === "own" ? OWN_ORACLE : PAPER_ORACLE),
+      before?.base ?? null,
+    );
     const bytes = encodeOracle(oracle);
     writeFileSync(out, bytes);
     return { file: out, bytes: bytes.length, clips: sources.length, examples: oracle.index.count, features };

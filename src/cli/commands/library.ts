@@ -8,6 +8,7 @@ import { renderScore } from "../../studio/render.ts";
 import { studioSet } from "../../studio/set.ts";
 import { baseName, needed, one, readOptions, UsageError } from "../args.ts";
 import { readCapture, readSidecar } from "../read.ts";
+import { type Detector, stepDetector } from "./contact-model.ts";
 
 /** Every N-th of a sorted list from the I-th on: `--shard I/N`. */
 const shardOf = <T>(all: readonly T[], [i, n]: readonly [number, number]): T[] =>
@@ -29,7 +30,7 @@ export function studioCaptures(
   });
 }
 
-function folderCaptures(folder: string, shard: [number, number]): Capture[] {
+function folderCaptures(folder: string, shard: [number, number], detect: Detector): Capture[] {
   // In order of their names, as merging sorts them: the library is the same however it was divided.
   const names = readdirSync(folder)
     .filter((f) => f.toLowerCase().endsWith(".bvh"))
@@ -43,6 +44,7 @@ function folderCaptures(folder: string, shard: [number, number]): Capture[] {
       name: baseName(f),
       // Without the folder: templates are called the same wherever the captures lie.
       clip: { ...clip, name: baseName(f) },
+      contacts: detect(clip),
       tasks: readSidecar(path.replace(/\.bvh$/i, ".json"))?.tasks ?? [],
     };
   });
@@ -76,9 +78,10 @@ function write(library: Library, out: string): object {
 }
 
 export const libraryCommand = {
-  usage: "library [--clips DIR] --out F [--shard I/N] | library merge A B ... --out F",
+  usage:
+    "library [--clips DIR] --out F [--shard I/N] [--method oracle|height|speed|both] [--model F] | library merge A B ... --out F",
   run(args: string[]) {
-    const o = readOptions(args, { clips: "one", out: "one", shard: "one" });
+    const o = readOptions(args, { clips: "one", out: "one", shard: "one", method: "one", model: "one" });
     const out = needed(o, "out");
     if (o.words[0] === "merge") {
       if (o.words.length < 2) throw new UsageError("merge: files are needed.");
@@ -88,7 +91,9 @@ export const libraryCommand = {
     if (!(shard.length === 2 && shard.every(Number.isInteger) && shard[0] >= 1 && shard[0] <= shard[1]))
       throw new UsageError("--shard: I/N with 1 <= I <= N is needed.");
     const clips = one(o, "clips");
-    const captures = clips ? folderCaptures(clips, shard) : studioCaptures((t) => console.error(t), shard);
+    const captures = clips
+      ? folderCaptures(clips, shard, stepDetector(one(o, "method") ?? "oracle", one(o, "model")))
+      : studioCaptures((t) => console.error(t), shard);
     return write(buildLibrary(captures), out);
   },
 };

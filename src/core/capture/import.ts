@@ -68,13 +68,14 @@ export function importBvh(text: string, name: string): ImportResult {
   return importBvhFile(parseBvh(text, name));
 }
 
-/** The same of a file read already, e.g. by `readBvhStream`. @throws BvhError for rigs without legs. */
-export function importBvhFile(file: BvhFile): ImportResult {
+/**
+ * The same of a file read already, e.g. by `readBvhStream`.
+ *
+ * @param joints which of the file's joints ours are; left out, told by their names.
+ * @throws BvhError for rigs without legs.
+ */
+export function importBvhFile(file: BvhFile, joints: Joints = jointsOf(file)): ImportResult {
   const { name } = file;
-  const joints = mapJoints(
-    file.joints.map((j) => j.name),
-    file.joints.map((j) => j.parent),
-  );
   const lacking = NEEDED.filter((j) => !joints.has(j));
   if (lacking.length > 0) throw new BvhError(`${name}: no joint was found for ${lacking.join(", ")}.`);
   const warnings: string[] = [];
@@ -108,6 +109,13 @@ export function importBvhFile(file: BvhFile): ImportResult {
 }
 
 type Joints = Map<JointName, number>;
+
+/** Our joints in a file, told by their names. */
+export const jointsOf = (file: BvhFile): Joints =>
+  mapJoints(
+    file.joints.map((j) => j.name),
+    file.joints.map((j) => j.parent),
+  );
 
 /** World place of one of our joints in a frame; of the nearest that the file has. */
 function placeOf(world: WorldMotion, joint: number, frame: number, out: Float64Array, o: number): void {

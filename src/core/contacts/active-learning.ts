@@ -18,11 +18,18 @@ export interface Segment {
 
 /** All segments of the motions, the most foreign first. Segments at a motion's end may be shorter. */
 export function rankSegments(oracle: Oracle, motions: readonly MotionTrack[], frames = SEGMENT): Segment[] {
+  return rankDistances(
+    motions.map((track) => askOracle(oracle, track).distance),
+    frames,
+  );
+}
+
+/** The same of distances known already, one array a motion, one number a frame. */
+export function rankDistances(distances: readonly Float32Array[], frames = SEGMENT): Segment[] {
   const out: Segment[] = [];
-  motions.forEach((track, motion) => {
-    const { distance } = askOracle(oracle, track);
-    for (let first = 0; first < track.frames; first += frames) {
-      const last = Math.min(track.frames, first + frames);
+  distances.forEach((distance, motion) => {
+    for (let first = 0; first < distance.length; first += frames) {
+      const last = Math.min(distance.length, first + frames);
       let foreign = 0;
       for (let f = first; f < last; f++) foreign = Math.max(foreign, distance[f]);
       out.push({ motion, first, last, foreign });

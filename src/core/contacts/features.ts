@@ -10,7 +10,8 @@
 import { gaussian } from "../math/interpolate.ts";
 import { LEG_ROW, type MotionTrack, POINT } from "./motion-track.ts";
 
-export const FEATURE_SETS = ["paper", "own"] as const;
+/** The paper's set, two of its variants from [Oracle Table 1] (with the root's place; without knees), and our own. */
+export const FEATURE_SETS = ["paper", "paper-root", "paper-knees", "own"] as const;
 export type FeatureSet = (typeof FEATURE_SETS)[number];
 
 export interface FeatureOptions {
@@ -22,13 +23,17 @@ export interface FeatureOptions {
 /** 21 frames at 60 Hz: a third of a second. */
 export const PAPER_HALF = 10;
 
+/** Numbers a frame of the window, of the sets that look at the whole body. */
+const BODY_ROW = { paper: 18, "paper-root": 21, "paper-knees": 12 } as const;
+type BodySet = keyof typeof BODY_ROW;
+
 /** Numbers an example. */
 export function featureSize(o: FeatureOptions): number {
-  return o.set === "paper" ? (2 * o.half + 1) * 18 : offsetsOf(o.half).length * OWN_ROW;
+  return o.set === "own" ? offsetsOf(o.half).length * OWN_ROW : (2 * o.half + 1) * BODY_ROW[o.set];
 }
 
 /** Examples a frame: one of the whole body, or one of each foot. */
-export const examplesPerFrame = (o: FeatureOptions): number => (o.set === "paper" ? 1 : 2);
+export const examplesPerFrame = (o: FeatureOptions): number => (o.set === "own" ? 2 : 1);
 
 /** Points of a sole. */
 const SOLE = [POINT.heel, POINT.ball, POINT.tip] as const;
@@ -50,76 +55,118 @@ function offsetsOf(half: number): number[] {
 
 /** All examples of a track, row after row: frames x examplesPerFrame x featureSize. */
 export function featuresOf(track: MotionTrack, o: FeatureOptions): Float32Array {
-  return o.set === "paper" ? paperFeatures(track, o.half) : ownFeatures(track, o.half);
+  return o.set === "own" ? ownFeatures(track, o.half) : paperFeatures(track, o.half, o.set);
 }
 
 const clamp = (f: number, n: number): number => (f < 0 ? 0 : f >= n ? n - 1 : f);
 
-function paperFeatures(track: MotionTrack, half: number): Float32Array {
-  const size = (2 * half + 1) * 18;
-  const out = new Float32Array(track.frames * size);
-  const unit = 1 / track.leg;
-  let i = 0;
-  for (let f = 0; f < track.frames; f++) {
-    const x = track.root[4 * f];
-    const y = track.root[4 * f + 1];
-    const z = track.root[4 * f + 2];
-    const c = Math.cos(track.root[4 * f + 3]);
-    const s = Math.sin(track.root[4 * f + 3]);
-    for (let k = -half; k <= half; k++) {
-      const g = clamp(f + k, track.frames);
-      for (let side = 0; side < 2; side++) {
-        const base = (2 * g + side) * LEG_ROW;
-        for (let p = 0; p < 9; p += 3) {
-          const dx = track.points[base + p] - x;
-          const dz = track.points[base + p + 2] - z;
-          out[i++] = (c * dx - s * dz) * unit;
-          out[i++] = (track.points[base + p + 1] - y) * unit;
-          out[i++] = (s * dx + c * dz) * unit;
-        }
-      }
-    }
+/** The examples of one frame of a track: examplesPerFrame x featureSize. */
+export function featuresOfFrame(track: MotionTrack, frame: number, o: FeatureOptions): Float32Array {
+  const out = new Float32Array(examplesPerFrame(o) * featureSize(o));
+  if (o.set !== "own") {
+    paperRow(out, 0, track, frame, o.half, o.set);
+    return out;
   }
+  const offsets = offsetsOf(o.half);
+  for (let side = 0; side < 2; side++)
+    ownRow(out, side * featureSize(o), footRows(track, side), track.frames, frame, offsets);
   return out;
+}
+
+function paperFeatures(track: MotionTrack, half: number, set: BodySet): Float32Array {
+  const size = (2 * half + 1) * BODY_ROW[set];
+  const out = new Float32Array(track.frames * size);
+  for (let f = 0; f < track.frames; f++) paperRow(out, f * size, track, f, half, set);
+  return out;
+}
+
+function paperRow(
+  out: Float32Array,
+  at: number,
+  track: MotionTrack,
+  f: number,
+  half: number,
+  set: BodySet,
+): void {
+  const unit = 1 / track.leg;
+  const x = track.root[4 * f];
+  const y = track.root[4 * f + 1];
+  const z = track.root[4 * f + 2];
+  const c = Math.cos(track.root[4 * f + 3]);
+  const s = Math.sin(track.root[4 * f + 3]);
+  let i = at;
+  const put = (from: Float64Array, o: number): void => {
+    const dx = from[o] - x;
+    const dz = from[o + 2] - z;
+    out[i++] = (c * dx - s * dz) * unit;
+    out[i++] = (from[o + 1] - y) * unit;
+    out[i++] = (s * dx + c * dz) * unit;
+  };
+  for (let k = -half; k <= half; k++) {
+    const g = clamp(f + k, track.frames);
+    for (let side = 0; side < 2; side++)
+      for (let p = set === "paper-knees" ? 3 : 0; p < 9; p += 3)
+        put(track.points, (2 * g + side) * LEG_ROW + p);
+    if (set === "paper-root") put(track.root, 4 * g);
+  }
 }
 
 function ownFeatures(track: MotionTrack, half: number): Float32Array {
   const offsets = offsetsOf(half);
   const size = offsets.length * OWN_ROW;
   const n = track.frames;
-  const scale = track.leg / 0.93;
   const out = new Float32Array(2 * n * size);
-  const rows = new Float64Array(n * OWN_ROW);
-  const heights = new Float64Array(n);
   for (let side = 0; side < 2; side++) {
-    const drift = driftOf(track, side);
-    SOLE.forEach((point, c) => {
-      const at = (f: number, k: number): number =>
-        track.points[(2 * f + side) * LEG_ROW + point + k] - drift[3 * f + k];
-      for (let f = 0; f < n; f++) heights[f] = at(f, 1);
-      const floor = lowest(heights, FLOOR);
-      for (let f = 0; f < n; f++) {
-        const a = Math.max(0, f - 1);
-        const b = Math.min(n - 1, f + 1);
-        const speed =
-          (Math.hypot(at(b, 0) - at(a, 0), at(b, 1) - at(a, 1), at(b, 2) - at(a, 2)) * 60) /
-          Math.max(1, b - a);
-        rows[f * OWN_ROW + c] = Math.log1p(Math.max(0, heights[f] - floor[f]) / (HEIGHT * scale));
-        rows[f * OWN_ROW + 3 + c] = Math.log1p(speed / (SPEED * scale));
-      }
-    });
-    for (let f = 0; f < n; f++) {
-      let i = (2 * f + side) * size;
-      for (const k of offsets) {
-        const g = clamp(f + k, n) * OWN_ROW;
-        // What is near in time says most.
-        const weight = 1 / (1 + Math.abs(k) / 3);
-        for (let c = 0; c < OWN_ROW; c++) out[i++] = rows[g + c] * weight;
-      }
-    }
+    const rows = footRows(track, side);
+    for (let f = 0; f < n; f++) ownRow(out, (2 * f + side) * size, rows, n, f, offsets);
   }
   return out;
 }
+
+function ownRow(
+  out: Float32Array,
+  at: number,
+  rows: Float64Array,
+  n: number,
+  f: number,
+  offsets: readonly number[],
+): void {
+  let i = at;
+  for (const k of offsets) {
+    const g = clamp(f + k, n) * OWN_ROW;
+    // What is near in time says most.
+    const weight = 1 / (1 + Math.abs(k) / 3);
+    for (let c = 0; c < OWN_ROW; c++) out[i++] = rows[g + c] * weight;
+  }
+}
+
+/** Heights and speeds of a foot's points in logarithm, frames x OWN_ROW. */
+function footRows(track: MotionTrack, side: number): Float64Array {
+  const n = track.frames;
+  const scale = track.leg / 0.93;
+  const rows = new Float64Array(n * OWN_ROW);
+  const heights = new Float64Array(n);
+  const drift = driftOf(track, side);
+  SOLE.forEach((point, c) => {
+    const at = (f: number, k: number): number =>
+      track.points[(2 * f + side) * LEG_ROW + point + k] - drift[3 * f + k];
+    for (let f = 0; f < n; f++) heights[f] = at(f, 1);
+    const floor = lowest(heights, FLOOR);
+    for (let f = 0; f < n; f++) {
+      const a = Math.max(0, f - 1);
+      const b = Math.min(n - 1, f + 1);
+      const speed =
+        (Math.hypot(at(b, 0) - at(a, 0), at(b, 1) - at(a, 1), at(b, 2) - at(a, 2)) * 60) / Math.max(1, b - a);
+      rows[f * OWN_ROW + c] = Math.log1p(Math.max(0, heights[f] - floor[f]) / (HEIGHT * scale));
+      rows[f * OWN_ROW + 3 + c] = Math.log1p(speed / (SPEED * scale));
+    }
+  });
+  return rows;
+}
+
+/** Frames before a frame that its features look at. */
+export const lookBack = (o: FeatureOptions): number =>
+  o.set !== "own" ? o.half : o.half + Math.max(FLOOR, REST + 3 * DRIFT_SOFT + 1);
 
 /** Half of the time in which a foot is expected to rest once, frames, and softness of the drift found, frames. */
 const REST = 32;

@@ -5,6 +5,7 @@
  * hysteresis, is the label; the distance of the nearest says how well the oracle knows what it sees.
  */
 import type { ContactTrack } from "../steps/types.ts";
+import type { Examples } from "./examples.ts";
 import { examplesPerFrame, type FeatureOptions, featureSize, featuresOf } from "./features.ts";
 import { type MotionTrack, mirrorTrack } from "./motion-track.ts";
 import { createNearestIndex, createNearestSearch, findNearest, type NearestIndex } from "./nearest.ts";
@@ -35,16 +36,46 @@ export const OWN_ORACLE: OracleOptions = { set: "own", half: 10, k: 10, on: 0.6,
 export interface Oracle {
   options: OracleOptions;
   sources: LabelledTrack[];
+  /** Examples that it began with, before the sources. */
+  base: Examples | null;
   index: NearestIndex;
   /** Labels of each example: four bits of a frame, or the two of a foot. */
   labels: Uint8Array;
 }
 
-/** @throws Error when there is nothing to learn from. */
-export function trainOracle(sources: readonly LabelledTrack[], options: OracleOptions = OWN_ORACLE): Oracle {
+/**
+ * An oracle of labelled motions.
+ *
+ * @param base examples to begin with: another oracle's, made with the same features.
+ * @throws Error when there is nothing to learn from, labels are another clip's, or the base has other features.
+ */
+export function trainOracle(
+  sources: readonly LabelledTrack[],
+  options: OracleOptions = OWN_ORACLE,
+  base: Examples | null = null,
+): Oracle {
+  const size = featureSize(options);
+  if (base && base.size !== size) throw new Error("The starting examples have other features.");
+  const own = examplesOf(sources, options);
+  const first = base?.count ?? 0;
+  const rows = first + own.count;
+  if (rows === 0) throw new Error("The oracle needs at least one labelled frame.");
+  const data = new Float32Array(rows * size);
+  const labels = new Uint8Array(rows);
+  if (base) {
+    data.set(base.features);
+    labels.set(base.labels);
+  }
+  data.set(own.features, first * size);
+  labels.set(own.labels, first);
+  return { options, sources: [...sources], base, index: createNearestIndex(data, rows, size), labels };
+}
+
+/** The examples that labelled motions give. @throws Error when labels are another clip's. */
+export function examplesOf(sources: readonly LabelledTrack[], options: OracleOptions): Examples {
   const size = featureSize(options);
   const per = examplesPerFrame(options);
-  const doubled = options.set === "paper";
+  const doubled = options.set !== "own";
   let count = 0;
   for (const s of sources) {
     if (s.labels.length !== s.track.frames)
@@ -53,18 +84,17 @@ export function trainOracle(sources: readonly LabelledTrack[], options: OracleOp
       );
     for (let f = 0; f < s.track.frames; f++) if (!s.mask || s.mask[f]) count += per;
   }
-  if (count === 0) throw new Error("The oracle needs at least one labelled frame.");
   const rows = doubled ? 2 * count : count;
-  const data = new Float32Array(rows * size);
+  const features = new Float32Array(rows * size);
   const labels = new Uint8Array(rows);
   let i = 0;
   const learn = (track: MotionTrack, s: LabelledTrack, mirrored: boolean): void => {
-    const features = featuresOf(track, options);
+    const all = featuresOf(track, options);
     for (let f = 0; f < track.frames; f++) {
       if (s.mask && !s.mask[f]) continue;
       for (let e = 0; e < per; e++) {
         const row = (f * per + e) * size;
-        data.set(features.subarray(row, row + size), i * size);
+        features.set(all.subarray(row, row + size), i * size);
         const bits = mirrored ? ((s.labels[f] & 3) << 2) | (s.labels[f] >> 2) : s.labels[f];
         labels[i++] = per === 1 ? bits : (bits >> (2 * e)) & 3;
       }
@@ -73,7 +103,7 @@ export function trainOracle(sources: readonly LabelledTrack[], options: OracleOp
   for (const s of sources) learn(s.track, s, false);
   // A foot at a time needs no mirror: left and right already teach each other.
   if (doubled) for (const s of sources) learn(mirrorTrack(s.track), s, true);
-  return { options, sources: [...sources], index: createNearestIndex(data, rows, size), labels };
+  return { size, count: rows, features, labels };
 }
 
 export interface OracleAnswer {
@@ -86,6 +116,18 @@ export interface OracleAnswer {
 
 /** Labels of a whole motion. */
 export function askOracle(oracle: Oracle, track: MotionTrack): OracleAnswer {
+  const asked = askInSlices(oracle, track, track.frames);
+  let step = asked.next();
+  while (!step.done) step = asked.next();
+  return step.value;
+}
+
+/** The same in slices of so many frames: yields the share that is done, so that hosts can show it or stop. */
+export function* askInSlices(
+  oracle: Oracle,
+  track: MotionTrack,
+  slice: number,
+): Generator<number, OracleAnswer> {
   const { options, index } = oracle;
   const per = examplesPerFrame(options);
   const features = featuresOf(track, options);
@@ -98,14 +140,21 @@ export function askOracle(oracle: Oracle, track: MotionTrack): OracleAnswer {
       findNearest(search, features, (f * per + e) * index.size);
       voteFrame(oracle, search.found, search.size, share, 4 * f + 2 * e);
       distance[f] = Math.max(distance[f], Math.sqrt(search.distance[0]));
+      if ((f + 1) % slice === 0) yield (e + (f + 1) / n) / per;
     }
   }
   return { labels: labelsOf(share, n, options), share, distance };
 }
 
 /** Shares of votes of one example's neighbours. */
-function voteFrame(oracle: Oracle, found: Int32Array, size: number, share: Float32Array, at: number): void {
-  const bits = oracle.options.set === "paper" ? 4 : 2;
+export function voteFrame(
+  oracle: Oracle,
+  found: Int32Array,
+  size: number,
+  share: Float32Array,
+  at: number,
+): void {
+  const bits = oracle.options.set === "own" ? 2 : 4;
   for (let i = 0; i < size; i++) {
     const l = oracle.labels[found[i]];
     for (let b = 0; b < bits; b++) share[at + b] += (l >> b) & 1;

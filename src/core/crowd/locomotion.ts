@@ -2,91 +2,49 @@
  * The pendulum's footsteps [Footsteps §3]: a state is where the middle of mass is and how it moves as a step ends, and which foot
  * comes next; an action is the parabola's direction, speed and time; createFootstep leads from one to the next.
  */
+import { KIND, P, POSE, S, STATE, STEP } from "./state.ts";
 import type { Gait } from "./types.ts";
-
-/** Numbers of a state in a flat array. */
-export const STATE = 12;
-/** Offsets of a state: middle of mass, direction of motion (unit), speed, side of the next foot (1 left), last foot's place, facing (unit), time. */
-export const S = {
-  x: 0,
-  z: 1,
-  ux: 2,
-  uz: 3,
-  speed: 4,
-  side: 5,
-  footX: 6,
-  footZ: 7,
-  faceX: 8,
-  faceZ: 9,
-  time: 10,
-} as const;
-
-/** A step as it is walked: from where, which way, how fast, how bent, how long. */
-export interface Step {
-  /** 0 stands, 1 walks a parabola, 2 comes to a stop. */
-  kind: 0 | 1 | 2;
-  start: number;
-  duration: number;
-  x: number;
-  z: number;
-  /** The parabola's direction, unit. */
-  px: number;
-  pz: number;
-  /** Speed along it, and towards the foot at its start, metres a second. */
-  along: number;
-  toFoot: number;
-  /** Side of the planted foot: 1 left, -1 right. */
-  side: number;
-  footX: number;
-  footZ: number;
-  /** Facing before and after, unit. */
-  fromX: number;
-  fromZ: number;
-  toX: number;
-  toZ: number;
-}
-
-export const createStep = (): Step => ({
-  kind: 0,
-  start: 0,
-  duration: 0,
-  x: 0,
-  z: 0,
-  px: 0,
-  pz: 1,
-  along: 0,
-  toFoot: 0,
-  side: 1,
-  footX: 0,
-  footZ: 0,
-  fromX: 0,
-  fromZ: 1,
-  toX: 0,
-  toZ: 1,
-});
+import { nextYawInterval } from "./yaw-interval.ts";
 
 /** Time in which a walker comes to rest, seconds. */
 export const STOP_TIME = 0.35;
+/** Twist of the torso that lets a body through a gap sideways, radians over the heading of the feet. */
+export const TWIST = 1.2;
+
+const interval = new Float64Array(2);
+
+/** Notes what a step costs [Footsteps eqs. 13-16] and returns the sum, J/kg. */
+function energy(steps: Float64Array, p: number, fixed: number, speed: number, bend: number): number {
+  steps[p + P.fixedEnergy] = fixed;
+  steps[p + P.speedEnergy] = speed;
+  steps[p + P.bendEnergy] = bend;
+  steps[p + P.nearness] = 0;
+  return fixed + speed + bend;
+}
 
 /**
- * Steps from a state: the parabola's direction is the motion's, turned by `turn` away from the planted foot; both ends of the
- * parabola lean to the foot by that angle [Footsteps eqs. 6-9, 11]. Writes the state at its end to `out` and the step.
+ * Steps from a walking state: the parabola's direction is the motion's, turned by `theta` away from the planted foot; both ends of
+ * the parabola lean to the foot by that angle [Footsteps eqs. 6-12]. Writes the state at its end to `out` and the step to `steps`.
  *
- * @param turnCos, turnSin cosine and sine of the turn, 0 to about 75 degrees. @param speed wanted, metres a second.
- * @returns energy of the step, J/kg [Footsteps eqs. 13-16].
+ * @param turnCos, turnSin cosine and sine of theta, 0 to about 75 degrees. @param speed wanted, metres a second.
+ * @returns energy of the step, J/kg [Footsteps eqs. 13-16]; -1 when no foot could point that way or reach so far.
  */
 export function createFootstep(
   out: Float64Array,
   o: number,
-  step: Step,
+  steps: Float64Array,
+  p: number,
   s: Float64Array,
   i: number,
+  theta: number,
   turnCos: number,
   turnSin: number,
   speed: number,
   duration: number,
   gait: Gait,
 ): number {
+  if (!nextYawInterval(interval, s[i + S.inner], s[i + S.outer], s[i + S.theta], theta, gait.yawRange))
+    return -1;
   const side = s[i + S.side];
   const ux = s[i + S.ux];
   const uz = s[i + S.uz];
@@ -99,48 +57,130 @@ export function createFootstep(
   const aside = (toFoot * duration) / 4 + gait.footAside;
   const x = s[i + S.x];
   const z = s[i + S.z];
-  step.kind = 1;
-  step.start = s[i + S.time];
-  step.duration = duration;
-  step.x = x;
-  step.z = z;
-  step.px = px;
-  step.pz = pz;
-  step.along = along;
-  step.toFoot = toFoot;
-  step.side = side;
-  step.footX = x + px * along * 0.5 * duration + side * pz * aside;
-  step.footZ = z + pz * along * 0.5 * duration - side * px * aside;
-  step.fromX = s[i + S.faceX];
-  step.fromZ = s[i + S.faceZ];
-  step.toX = px;
-  step.toZ = pz;
+  const footX = x + px * along * 0.5 * duration + side * pz * aside;
+  const footZ = z + pz * along * 0.5 * duration - side * px * aside;
+  // Half the angle between the legs: sin theta = distance of the footfalls / (2 l); cos 2 theta = 1 - 2 sin^2 theta.
+  const fx = footX - s[i + S.footX];
+  const fz = footZ - s[i + S.footZ];
+  const apart2 = fx * fx + fz * fz;
+  if (apart2 > gait.strideMost * gait.strideMost) return -1;
+  steps[p + P.kind] = KIND.walk;
+  steps[p + P.start] = s[i + S.time];
+  steps[p + P.duration] = duration;
+  steps[p + P.x] = x;
+  steps[p + P.z] = z;
+  steps[p + P.px] = px;
+  steps[p + P.pz] = pz;
+  steps[p + P.along] = along;
+  steps[p + P.toFoot] = toFoot;
+  steps[p + P.side] = side;
+  steps[p + P.footX] = footX;
+  steps[p + P.footZ] = footZ;
+  steps[p + P.fromX] = s[i + S.faceX];
+  steps[p + P.fromZ] = s[i + S.faceZ];
+  steps[p + P.toX] = px;
+  steps[p + P.toZ] = pz;
+  steps[p + P.fromHeadX] = s[i + S.headX];
+  steps[p + P.fromHeadZ] = s[i + S.headZ];
+  steps[p + P.headX] = px;
+  steps[p + P.headZ] = pz;
+  steps[p + P.inner] = interval[0];
+  steps[p + P.outer] = interval[1];
+  steps[p + P.theta] = theta;
+  steps[p + P.yaw] = interval[0];
   out[o + S.x] = x + px * along * duration;
   out[o + S.z] = z + pz * along * duration;
   out[o + S.ux] = turnCos * px - side * turnSin * pz;
   out[o + S.uz] = turnCos * pz + side * turnSin * px;
   out[o + S.speed] = speed;
   out[o + S.side] = -side;
-  out[o + S.footX] = step.footX;
-  out[o + S.footZ] = step.footZ;
+  out[o + S.footX] = footX;
+  out[o + S.footZ] = footZ;
   out[o + S.faceX] = px;
   out[o + S.faceZ] = pz;
-  out[o + S.time] = step.start + duration;
-  // Half the angle between the legs: sin theta = distance of the footfalls / (2 l); cos 2 theta = 1 - 2 sin^2 theta.
-  const fx = step.footX - s[i + S.footX];
-  const fz = step.footZ - s[i + S.footZ];
-  const sin2 = Math.min(0.5, (fx * fx + fz * fz) / (4 * gait.leg * gait.leg));
-  const kept = s[i + S.speed] * (1 - 2 * sin2);
-  return (
-    gait.power * duration + 0.5 * Math.abs(speed * speed - kept * kept) + gait.bend * alpha * speed * duration
+  out[o + S.headX] = px;
+  out[o + S.headZ] = pz;
+  out[o + S.time] = s[i + S.time] + duration;
+  out[o + S.theta] = theta;
+  out[o + S.inner] = interval[0];
+  out[o + S.outer] = interval[1];
+  const kept = s[i + S.speed] * (1 - 2 * Math.min(0.5, apart2 / (4 * gait.leg * gait.leg)));
+  return energy(
+    steps,
+    p,
+    gait.power * duration,
+    0.5 * Math.abs(speed * speed - kept * kept),
+    gait.bend * alpha * speed * duration,
   );
+}
+
+/** Twists the torso of a step over its feet, to go sideways through a gap: `way` 1 to the left, -1 to the right. */
+export function twistTorso(out: Float64Array, o: number, steps: Float64Array, p: number, way: number): void {
+  const cos = 0.3623577544766736;
+  const sin = 0.9320390859672263 * way;
+  const hx = steps[p + P.headX];
+  const hz = steps[p + P.headZ];
+  out[o + S.faceX] = steps[p + P.toX] = cos * hx + sin * hz;
+  out[o + S.faceZ] = steps[p + P.toZ] = cos * hz - sin * hx;
+}
+
+/** Makes a shift keep the facing and heading that it begins with, where turning would bring a shoulder into a wall. */
+export function keepFacing(
+  out: Float64Array,
+  o: number,
+  steps: Float64Array,
+  p: number,
+  footAside: number,
+): void {
+  const headX = steps[p + P.fromHeadX];
+  const headZ = steps[p + P.fromHeadZ];
+  const side = steps[p + P.side];
+  out[o + S.faceX] = steps[p + P.toX] = steps[p + P.fromX];
+  out[o + S.faceZ] = steps[p + P.toZ] = steps[p + P.fromZ];
+  out[o + S.headX] = steps[p + P.headX] = headX;
+  out[o + S.headZ] = steps[p + P.headZ] = headZ;
+  out[o + S.footX] = steps[p + P.footX] = out[o + S.x] + side * headZ * footAside;
+  out[o + S.footZ] = steps[p + P.footZ] = out[o + S.z] - side * headX * footAside;
+}
+
+/** What starts, stops, stands and shifts have in common. */
+function fromState(
+  steps: Float64Array,
+  p: number,
+  s: Float64Array,
+  i: number,
+  kind: number,
+  duration: number,
+): void {
+  for (let k = 0; k < STEP; k++) steps[p + k] = 0;
+  steps[p + P.kind] = kind;
+  steps[p + P.start] = s[i + S.time];
+  steps[p + P.duration] = duration;
+  steps[p + P.x] = s[i + S.x];
+  steps[p + P.z] = s[i + S.z];
+  steps[p + P.px] = s[i + S.ux];
+  steps[p + P.pz] = s[i + S.uz];
+  steps[p + P.side] = s[i + S.side];
+  steps[p + P.fromX] = steps[p + P.toX] = s[i + S.faceX];
+  steps[p + P.fromZ] = steps[p + P.toZ] = s[i + S.faceZ];
+  steps[p + P.fromHeadX] = steps[p + P.headX] = s[i + S.headX];
+  steps[p + P.fromHeadZ] = steps[p + P.headZ] = s[i + S.headZ];
+}
+
+/** The state at rest: both feet point along the heading, so either may go on. */
+function atRest(out: Float64Array, o: number): void {
+  out[o + S.speed] = 0;
+  out[o + S.theta] = 0;
+  out[o + S.inner] = 0;
+  out[o + S.outer] = 0;
 }
 
 /** Comes to rest along the way it moves, over STOP_TIME; from rest it stands. Returns the energy. */
 export function createStop(
   out: Float64Array,
   o: number,
-  step: Step,
+  steps: Float64Array,
+  p: number,
   s: Float64Array,
   i: number,
   duration: number,
@@ -148,72 +188,224 @@ export function createStop(
 ): number {
   const speed = s[i + S.speed];
   const run = speed > 0 ? (speed * STOP_TIME) / 2 : 0;
-  step.kind = speed > 0 ? 2 : 0;
-  step.start = s[i + S.time];
-  step.duration = duration;
-  step.x = s[i + S.x];
-  step.z = s[i + S.z];
-  step.px = s[i + S.ux];
-  step.pz = s[i + S.uz];
-  step.along = speed;
-  step.toFoot = 0;
-  step.side = s[i + S.side];
-  step.footX = step.x + step.px * run + step.side * step.pz * gait.footAside;
-  step.footZ = step.z + step.pz * run - step.side * step.px * gait.footAside;
-  step.fromX = step.toX = s[i + S.faceX];
-  step.fromZ = step.toZ = s[i + S.faceZ];
+  fromState(steps, p, s, i, speed > 0 ? KIND.stop : KIND.stand, duration);
+  const px = steps[p + P.px];
+  const pz = steps[p + P.pz];
+  const side = steps[p + P.side];
+  steps[p + P.along] = speed;
+  const x = steps[p + P.x] + px * run;
+  const z = steps[p + P.z] + pz * run;
+  steps[p + P.footX] = x + side * s[i + S.headZ] * gait.footAside;
+  steps[p + P.footZ] = z - side * s[i + S.headX] * gait.footAside;
   for (let k = 0; k < STATE; k++) out[o + k] = s[i + k];
-  out[o + S.x] += step.px * run;
-  out[o + S.z] += step.pz * run;
-  out[o + S.speed] = 0;
-  out[o + S.footX] = step.footX;
-  out[o + S.footZ] = step.footZ;
-  out[o + S.time] = step.start + duration;
-  return gait.power * duration + 0.5 * speed * speed;
+  out[o + S.x] = x;
+  out[o + S.z] = z;
+  out[o + S.footX] = steps[p + P.footX];
+  out[o + S.footZ] = steps[p + P.footZ];
+  out[o + S.time] = s[i + S.time] + duration;
+  atRest(out, o);
+  return energy(steps, p, gait.power * duration, 0.5 * speed * speed, 0);
 }
 
-/** Where a walker is at a time in (or after) its step, and how it faces: x, z, facing x, z in `out`. After it, it comes to rest. */
-export function evaluateStep(out: Float64Array, o: number, step: Step, time: number): void {
-  let t = time - step.start;
-  if (t < 0) t = 0;
-  const within = t < step.duration ? t : step.duration;
-  let x = step.x;
-  let z = step.z;
-  let after = 0;
-  if (step.kind === 1) {
-    const u = within - step.duration / 2;
-    const along = step.along * within;
-    const aside = (step.toFoot / step.duration) * (step.duration * step.duration * 0.25 - u * u);
-    x += step.px * along + step.side * step.pz * aside;
-    z += step.pz * along - step.side * step.px * aside;
-    after = t - within;
-    if (after > 0) {
-      // The stop that is always possible: along the motion at the step's end.
-      const b = after < STOP_TIME ? after : STOP_TIME;
-      const run = b - (b * b) / (2 * STOP_TIME);
-      x += (step.px * step.along - step.side * step.pz * step.toFoot) * run;
-      z += (step.pz * step.along + step.side * step.px * step.toFoot) * run;
+/**
+ * Starts from rest: the weight falls forward off a foot that stays where it stands, evenly faster, while the other swings.
+ *
+ * @param dx, dz way to go, unit. @param angle its yaw over the feet's heading, radians: the foot on the far side stays.
+ * @returns the energy, J/kg; -1 where the feet could not turn so far in one step.
+ */
+export function createStart(
+  out: Float64Array,
+  o: number,
+  steps: Float64Array,
+  p: number,
+  s: Float64Array,
+  i: number,
+  dx: number,
+  dz: number,
+  angle: number,
+  speed: number,
+  duration: number,
+  gait: Gait,
+): number {
+  const off = Math.abs(angle);
+  if (off > gait.yawRange) return -1;
+  fromState(steps, p, s, i, KIND.start, duration);
+  const side = off < 1e-3 ? s[i + S.side] : angle > 0 ? -1 : 1;
+  const x = s[i + S.x];
+  const z = s[i + S.z];
+  steps[p + P.px] = dx;
+  steps[p + P.pz] = dz;
+  steps[p + P.along] = speed;
+  steps[p + P.side] = side;
+  steps[p + P.footX] = x + side * s[i + S.headZ] * gait.footAside;
+  steps[p + P.footZ] = z - side * s[i + S.headX] * gait.footAside;
+  steps[p + P.toX] = steps[p + P.headX] = dx;
+  steps[p + P.toZ] = steps[p + P.headZ] = dz;
+  // The foot that stays points along the old heading, which is outwards of the new way.
+  const outwards = off;
+  steps[p + P.inner] = steps[p + P.outer] = steps[p + P.yaw] = outwards;
+  out[o + S.x] = x + 0.5 * speed * duration * dx;
+  out[o + S.z] = z + 0.5 * speed * duration * dz;
+  out[o + S.ux] = dx;
+  out[o + S.uz] = dz;
+  out[o + S.speed] = speed;
+  out[o + S.side] = -side;
+  out[o + S.footX] = steps[p + P.footX];
+  out[o + S.footZ] = steps[p + P.footZ];
+  out[o + S.faceX] = out[o + S.headX] = dx;
+  out[o + S.faceZ] = out[o + S.headZ] = dz;
+  out[o + S.time] = s[i + S.time] + duration;
+  out[o + S.theta] = 0;
+  out[o + S.inner] = out[o + S.outer] = outwards;
+  return energy(steps, p, gait.power * duration, 0.5 * speed * speed, 0);
+}
+
+/**
+ * Shifts both feet from rest to rest, one after the other: sideways, back, or turning on the spot. The foot on the side of the
+ * shift (or turn) goes first, so that legs never cross.
+ *
+ * @param dx, dz way, unit. @param far metres. @param headX, headZ the feet's heading afterwards, which the torso follows.
+ * @param turn its yaw over the heading before, radians. @returns the energy, J/kg.
+ */
+export function createShift(
+  out: Float64Array,
+  o: number,
+  steps: Float64Array,
+  p: number,
+  s: Float64Array,
+  i: number,
+  dx: number,
+  dz: number,
+  far: number,
+  headX: number,
+  headZ: number,
+  turn: number,
+  duration: number,
+  gait: Gait,
+): number {
+  if (Math.abs(turn) > gait.yawRange) return -1;
+  fromState(steps, p, s, i, KIND.shift, duration);
+  const left = dx * s[i + S.headZ] - dz * s[i + S.headX];
+  const side = far > 0 && Math.abs(left) > 0.3 ? (left > 0 ? 1 : -1) : turn >= 0 ? 1 : -1;
+  const x = s[i + S.x] + dx * far;
+  const z = s[i + S.z] + dz * far;
+  steps[p + P.px] = dx;
+  steps[p + P.pz] = dz;
+  steps[p + P.along] = far;
+  steps[p + P.side] = side;
+  steps[p + P.footX] = x + side * headZ * gait.footAside;
+  steps[p + P.footZ] = z - side * headX * gait.footAside;
+  steps[p + P.toX] = steps[p + P.headX] = headX;
+  steps[p + P.toZ] = steps[p + P.headZ] = headZ;
+  for (let k = 0; k < STATE; k++) out[o + k] = s[i + k];
+  out[o + S.x] = x;
+  out[o + S.z] = z;
+  out[o + S.side] = side;
+  out[o + S.footX] = steps[p + P.footX];
+  out[o + S.footZ] = steps[p + P.footZ];
+  out[o + S.faceX] = out[o + S.headX] = headX;
+  out[o + S.faceZ] = out[o + S.headZ] = headZ;
+  out[o + S.time] = s[i + S.time] + duration;
+  atRest(out, o);
+  // It speeds up and brakes once for each foot.
+  const fastest = (1.5 * far) / duration;
+  return energy(steps, p, gait.power * duration, 2 * fastest * fastest, gait.bend * Math.abs(turn) * 0.5);
+}
+
+/**
+ * Where a walker is at a time in (or after) its step: middle of mass, facing, and the planted foot that stands out most; POSE
+ * numbers into `out`. After the step it comes to rest.
+ */
+export function evaluateStep(
+  out: Float64Array,
+  o: number,
+  steps: Float64Array,
+  p: number,
+  time: number,
+  footAside: number,
+): void {
+  const t = time > steps[p + P.start] ? time - steps[p + P.start] : 0;
+  const duration = steps[p + P.duration];
+  const within = t < duration ? t : duration;
+  const kind = steps[p + P.kind];
+  const px = steps[p + P.px];
+  const pz = steps[p + P.pz];
+  const along = steps[p + P.along];
+  let x = steps[p + P.x];
+  let z = steps[p + P.z];
+  let footX = steps[p + P.footX];
+  let footZ = steps[p + P.footZ];
+  if (kind === KIND.walk || kind === KIND.start) {
+    const side = steps[p + P.side];
+    let vx = px * along;
+    let vz = pz * along;
+    if (kind === KIND.walk) {
+      const toFoot = steps[p + P.toFoot];
+      const aside = (toFoot / duration) * within * (duration - within) * side;
+      x += vx * within + pz * aside;
+      z += vz * within - px * aside;
+      vx -= side * pz * toFoot;
+      vz += side * px * toFoot;
+    } else {
+      const run = (0.5 * along * within * within) / duration;
+      x += px * run;
+      z += pz * run;
     }
-  } else if (step.kind === 2) {
+    if (t > within) {
+      // The stop that is always possible: along the motion at the step's end, onto the other foot.
+      const b = t - within < STOP_TIME ? t - within : STOP_TIME;
+      const run = b - (b * b) / (2 * STOP_TIME);
+      footX = x + vx * (STOP_TIME / 2) - side * steps[p + P.headZ] * footAside;
+      footZ = z + vz * (STOP_TIME / 2) + side * steps[p + P.headX] * footAside;
+      x += vx * run;
+      z += vz * run;
+    }
+  } else if (kind === KIND.stop) {
     const b = t < STOP_TIME ? t : STOP_TIME;
-    const run = step.along * (b - (b * b) / (2 * STOP_TIME));
-    x += step.px * run;
-    z += step.pz * run;
-  }
-  const w = step.duration > 0 ? within / step.duration : 1;
-  const s = w * w * (3 - 2 * w);
-  let fx = step.fromX + s * (step.toX - step.fromX);
-  let fz = step.fromZ + s * (step.toZ - step.fromZ);
-  const n = Math.sqrt(fx * fx + fz * fz);
-  if (n > 1e-6) {
-    fx /= n;
-    fz /= n;
-  } else {
-    fx = step.toX;
-    fz = step.toZ;
+    const run = along * (b - (b * b) / (2 * STOP_TIME));
+    x += px * run;
+    z += pz * run;
+  } else if (kind === KIND.shift) {
+    const w = within / duration;
+    if (2 * within < duration) {
+      // The other foot still stands where it stood.
+      const side = steps[p + P.side];
+      footX = x - side * steps[p + P.fromHeadZ] * footAside;
+      footZ = z + side * steps[p + P.fromHeadX] * footAside;
+    }
+    const run = along * w * w * (3 - 2 * w);
+    x += px * run;
+    z += pz * run;
   }
   out[o] = x;
   out[o + 1] = z;
-  out[o + 2] = fx;
-  out[o + 3] = fz;
+  out[o + 4] = footX;
+  out[o + 5] = footZ;
+  const w = duration > 0 ? within / duration : 1;
+  const toX = steps[p + P.toX];
+  const toZ = steps[p + P.toZ];
+  if (w >= 1) {
+    out[o + 2] = toX;
+    out[o + 3] = toZ;
+    return;
+  }
+  const s = w * w * (3 - 2 * w);
+  const fromX = steps[p + P.fromX];
+  const fromZ = steps[p + P.fromZ];
+  const fx = fromX + s * (toX - fromX);
+  const fz = fromZ + s * (toZ - fromZ);
+  const n2 = fx * fx + fz * fz;
+  if (n2 > 1e-12) {
+    const n = Math.sqrt(n2);
+    out[o + 2] = fx / n;
+    out[o + 3] = fz / n;
+  } else {
+    out[o + 2] = toX;
+    out[o + 3] = toZ;
+  }
+}
+
+/** A pose's numbers copied. */
+export function copyPose(out: Float64Array, o: number, from: Float64Array, i: number): void {
+  for (let k = 0; k < POSE; k++) out[o + k] = from[i + k];
 }

@@ -5,20 +5,22 @@
  * What is kept is a field: from every cell near the way, the next corner and the distance from there. A step's worth is
  * then known anywhere, and the local goal is the corner in sight.
  */
-import { cellOf, clearWay, type Ground } from "./ground.ts";
+import { clearWay, costOfCell, type Ground, surfaceCost } from "./ground.ts";
+import { cornerAt, costAt, createTiles, parentAt, setCorner, setCost, type Tiles } from "./tiles.ts";
 
 export interface LongWay {
   goalX: number;
   goalZ: number;
-  /** Cell -> index in corners; corners: x, z, distance to the goal. */
-  cornerOf: Map<number, number>;
+  /** Whether the field is used: without, the goal itself is in sight from everywhere that asked. */
+  bent: boolean;
+  field: Tiles;
+  /** x, z, distance to the goal. */
   corners: number[];
-  /** The search as far as it has gone: it goes on when another start asks. */
-  cost: Map<number, number>;
-  parent: Map<number, number>;
+  /** Corner made of a cell. */
   cornerIndex: Map<number, number>;
-  /** Cells that are open. */
-  open: Set<number>;
+  /** Cells that are open, by cost and straight distance to `target`: the search goes on when another start asks. */
+  open: Heap;
+  target: number;
   from: number;
   /** Nothing more can be found. */
   exhausted: boolean;
@@ -32,139 +34,175 @@ const MOST_CELLS = 120_000;
 /** Farthest that a corner is looked from, metres. */
 const SIGHT = 14;
 
+/** Straight to a place, whatever is between. */
+export const createStraightWay = (goalX: number, goalZ: number): LongWay => ({
+  goalX,
+  goalZ,
+  bent: false,
+  field: createTiles(0, 0),
+  corners: [goalX, goalZ, 0],
+  cornerIndex: new Map(),
+  open: createHeap(),
+  target: -1,
+  exhausted: false,
+  from: -1,
+});
+
 /** The field of a goal, nothing found yet. */
 export function createLongWay(ground: Ground, goalX: number, goalZ: number): LongWay {
   const way: LongWay = {
-    goalX,
-    goalZ,
-    cornerOf: new Map(),
-    corners: [goalX, goalZ, 0],
-    cost: new Map(),
-    parent: new Map(),
-    cornerIndex: new Map(),
-    open: new Set(),
-    exhausted: false,
+    ...createStraightWay(goalX, goalZ),
+    field: createTiles(ground.columns, ground.rows),
     from: freeCell(ground, goalX, goalZ),
   };
   if (way.from >= 0) {
-    way.cost.set(way.from, 0);
-    way.parent.set(way.from, way.from);
+    const { columns } = ground;
+    setCost(way.field, way.from % columns, Math.floor(way.from / columns), 0, way.from);
     way.cornerIndex.set(way.from, 0);
-    way.open.add(way.from);
+    push(way.open, 0, way.from);
   }
   return way;
 }
 
 /**
- * Carries a field on until it covers a start and the ways near to it. Bounded: never more than a fixed number of cells, and
- * no more than a box around start and goal, unless the way leads out of it.
+ * Carries a field on until it covers a start and the ways near to it, or `most` cells were looked at; asked again it goes on.
+ *
+ * @returns whether nothing is left to do for this start.
  */
-export function extendLongWay(ground: Ground, way: LongWay, startX: number, startZ: number): void {
-  if (way.cornerOf.size === 0 && clearWay(ground, way.goalX, way.goalZ, startX, startZ, 2)) return;
+export function extendLongWay(
+  ground: Ground,
+  way: LongWay,
+  startX: number,
+  startZ: number,
+  most = MOST_CELLS,
+): boolean {
+  if (!way.bent && ground.surface === null && clearWay(ground, way.goalX, way.goalZ, startX, startZ, 2))
+    return true;
+  way.bent = true;
   const target = freeCell(ground, startX, startZ);
-  if (way.from < 0 || target < 0 || way.exhausted || way.cornerOf.has(target)) return;
-  const { columns, rows, free } = ground;
-  const { cost, parent, cornerIndex, open, cornerOf, corners } = way;
-  const px = (c: number): number => ground.x0 + ((c % columns) + 0.5) * ground.cell;
-  const pz = (c: number): number => ground.z0 + (Math.floor(c / columns) + 0.5) * ground.cell;
-  const far = (a: number, b: number): number => {
-    const dx = px(a) - px(b);
-    const dz = pz(a) - pz(b);
-    return Math.sqrt(dx * dx + dz * dz);
-  };
-  // What is open is sorted anew for this start; what is closed stays right, as the straight distance never overestimates.
-  const heap = createHeap();
-  for (const c of open) push(heap, (cost.get(c) ?? 0) + far(c, target), c);
-  let most = Number.POSITIVE_INFINITY;
+  if (way.from < 0 || target < 0 || way.exhausted) return true;
+  const { columns, rows, free, cell } = ground;
+  const { field, open, cornerIndex, corners } = way;
+  const ti = target % columns;
+  const tk = Math.floor(target / columns);
+  if (cornerAt(field, ti, tk) >= 0) return true;
+  const far = (ai: number, ak: number, bi: number, bk: number): number =>
+    cell * Math.sqrt((ai - bi) * (ai - bi) + (ak - bk) * (ak - bk));
+  const centreX = (i: number): number => ground.x0 + (i + 0.5) * cell;
+  const centreZ = (k: number): number => ground.z0 + (k + 0.5) * cell;
+  const sees = (ai: number, ak: number, bi: number, bk: number, least: number): boolean =>
+    clearWay(ground, centreX(ai), centreZ(ak), centreX(bi), centreZ(bk), least);
+  const weight = (c: number): number => (free[c] === 1 ? NARROW : 1) * costOfCell(ground, c);
+  if (way.target !== target) {
+    // What is open is sorted anew for this start; what is closed stays right, as the straight distance never overestimates.
+    way.target = target;
+    resort(open, (c) => {
+      const i = c % columns;
+      const k = Math.floor(c / columns);
+      return cornerAt(field, i, k) >= 0 ? -1 : costAt(field, i, k) + far(i, k, ti, tk);
+    });
+  }
+  let enough = Number.POSITIVE_INFINITY;
   let looked = 0;
-  while (heap.size > 0 && looked < MOST_CELLS) {
-    if (heap.keys[0] > most) break;
-    const c = pop(heap);
-    if (cornerOf.has(c)) continue;
+  while (open.size > 0 && looked < most) {
+    if (open.keys[0] > enough) return true;
+    const c = pop(open);
+    const ci = c % columns;
+    const ck = Math.floor(c / columns);
+    if (cornerAt(field, ci, ck) >= 0) continue;
     looked++;
     // Sight to the parent was taken for granted; it is looked at once, here.
-    let p = parent.get(c) ?? c;
-    if (p !== c && !clearWay(ground, px(p), pz(p), px(c), pz(c), free[c] >= 2 ? 2 : 1)) {
+    let p = parentAt(field, ci, ck);
+    if (
+      p !== c &&
+      !sees(p % columns, Math.floor(p / columns), ci, ck, free[c] >= 2 ? 2 : 1) &&
+      !neighbours(p, ci, ck)
+    ) {
       let best = Number.POSITIVE_INFINITY;
-      eachNeighbour(ground, c, (n) => {
-        if (!cornerOf.has(n)) return;
-        const g = (cost.get(n) ?? 0) + weightOf(free[c]) * far(n, c);
+      eachNeighbour(ci, ck, (i, k) => {
+        if (cornerAt(field, i, k) < 0) return;
+        const g = costAt(field, i, k) + weight(c) * far(i, k, ci, ck);
         if (g < best) {
           best = g;
-          p = n;
+          p = k * columns + i;
         }
       });
-      if (best === Number.POSITIVE_INFINITY) {
-        open.delete(c);
-        continue;
-      }
-      parent.set(c, p);
-      if (best > (cost.get(c) ?? 0) + 1e-9) {
-        cost.set(c, best);
-        push(heap, best + far(c, target), c);
+      if (best === Number.POSITIVE_INFINITY) continue;
+      const before = costAt(field, ci, ck);
+      setCost(field, ci, ck, best, p);
+      if (best > before + 1e-9) {
+        push(open, best + far(ci, ck, ti, tk), c);
         continue;
       }
     }
     let corner = cornerIndex.get(p);
+    const pi = p % columns;
+    const pk = Math.floor(p / columns);
     if (corner === undefined) {
       corner = corners.length / 3;
       cornerIndex.set(p, corner);
-      corners.push(px(p), pz(p), cost.get(p) ?? 0);
+      corners.push(centreX(pi), centreZ(pk), costAt(field, pi, pk));
     }
-    cornerOf.set(c, corner);
-    open.delete(c);
-    if (c === target) most = (cost.get(c) ?? 0) + SLACK;
-    // Corners are at most some metres apart: sight is costly to look at.
-    const from = far(p, c) > SIGHT ? c : p;
-    const g = cost.get(from) ?? 0;
-    eachNeighbour(ground, c, (n) => {
-      if (cornerOf.has(n)) return;
-      const next = g + weightOf(free[n]) * far(from, n);
-      if (next >= (cost.get(n) ?? Number.POSITIVE_INFINITY)) return;
-      cost.set(n, next);
-      parent.set(n, from);
-      open.add(n);
-      push(heap, next + far(n, target), n);
+    setCorner(field, ci, ck, corner);
+    if (c === target) enough = costAt(field, ci, ck) + SLACK;
+    // Corners are at most some metres apart: sight is costly to look at. On another surface the way begins anew.
+    const onward =
+      far(pi, pk, ci, ck) > SIGHT || (ground.surface !== null && ground.surface[p] !== ground.surface[c]);
+    const fi = onward ? ci : pi;
+    const fk = onward ? ck : pk;
+    const g = costAt(field, fi, fk);
+    eachNeighbour(ci, ck, (i, k) => {
+      if (cornerAt(field, i, k) >= 0) return;
+      const n = k * columns + i;
+      const next = g + weight(n) * far(fi, fk, i, k);
+      if (next >= costAt(field, i, k)) return;
+      setCost(field, i, k, next, fk * columns + fi);
+      push(open, next + far(i, k, ti, tk), n);
     });
   }
+  const found = cornerAt(field, ti, tk) >= 0;
+  if (!found && (open.size === 0 || most >= MOST_CELLS)) way.exhausted = true;
+  return found || way.exhausted;
 
-  if (!cornerOf.has(target)) way.exhausted = true;
+  function neighbours(p: number, ci: number, ck: number): boolean {
+    // Across the edge of a surface no straight sight is given; cells side by side still join.
+    if (ground.surface === null) return false;
+    return Math.abs((p % columns) - ci) <= 1 && Math.abs(Math.floor(p / columns) - ck) <= 1;
+  }
 
-  function eachNeighbour(g: Ground, c: number, visit: (n: number) => void): void {
-    const ci = c % columns;
-    const ck = Math.floor(c / columns);
+  function eachNeighbour(ci: number, ck: number, visit: (i: number, k: number) => void): void {
     for (let dk = -1; dk <= 1; dk++)
       for (let di = -1; di <= 1; di++) {
         if (di === 0 && dk === 0) continue;
         const i = ci + di;
         const k = ck + dk;
         if (i < 0 || k < 0 || i >= columns || k >= rows) continue;
-        const n = k * columns + i;
-        if (g.free[n] === 0) continue;
+        if (free[k * columns + i] === 0) continue;
         // No cutting of corners.
-        if (di !== 0 && dk !== 0 && (g.free[ck * columns + i] === 0 || g.free[k * columns + ci] === 0))
-          continue;
-        visit(n);
+        if (di !== 0 && dk !== 0 && (free[ck * columns + i] === 0 || free[k * columns + ci] === 0)) continue;
+        visit(i, k);
       }
   }
 }
 
-const weightOf = (level: number): number => (level === 1 ? NARROW : 1);
-
 /** The nearest cell to a point in which a body has room; -1 when none is within 3 m. */
 function freeCell(ground: Ground, x: number, z: number): number {
+  const { columns, rows, free } = ground;
+  const ci = Math.floor((x - ground.x0) / ground.cell);
+  const ck = Math.floor((z - ground.z0) / ground.cell);
   for (let r = 0; r <= 12; r++) {
     let best = -1;
     let least = Number.POSITIVE_INFINITY;
     for (let k = -r; k <= r; k++)
       for (let i = -r; i <= r; i++) {
         if (Math.max(Math.abs(i), Math.abs(k)) !== r) continue;
-        const c = cellOf(ground, x + i * ground.cell, z + k * ground.cell);
-        if (c < 0 || ground.free[c] === 0) continue;
+        const a = ci + i;
+        const b = ck + k;
+        if (a < 0 || b < 0 || a >= columns || b >= rows || free[b * columns + a] === 0) continue;
         const d = i * i + k * k;
         if (d < least) {
           least = d;
-          best = c;
+          best = b * columns + a;
         }
       }
     if (best >= 0) return best;
@@ -172,34 +210,56 @@ function freeCell(ground: Ground, x: number, z: number): number {
   return -1;
 }
 
-const sight = { x: 0, z: 0, distance: 0 };
+/** Whether the field says something about a point. */
+export function covers(ground: Ground, way: LongWay, x: number, z: number): boolean {
+  const i = Math.floor((x - ground.x0) / ground.cell);
+  const k = Math.floor((z - ground.z0) / ground.cell);
+  return i >= 0 && k >= 0 && i < ground.columns && k < ground.rows && cornerAt(way.field, i, k) >= 0;
+}
 
-/** Distance still to go from a point, and the place to head for; a shared object that the next call changes. */
-export function ahead(ground: Ground, way: LongWay, x: number, z: number): Readonly<typeof sight> {
-  const straight = Math.sqrt((x - way.goalX) * (x - way.goalX) + (z - way.goalZ) * (z - way.goalZ));
-  sight.x = way.goalX;
-  sight.z = way.goalZ;
-  sight.distance = straight;
-  if (way.cornerOf.size === 0) return sight;
-  const c = cellOf(ground, x, z);
-  let corner = way.cornerOf.get(c);
-  if (corner === undefined) {
-    // Beside the field: the nearest known neighbour's.
-    for (let r = 1; r <= 3 && corner === undefined; r++)
-      for (let k = -r; k <= r && corner === undefined; k++)
-        for (let i = -r; i <= r && corner === undefined; i++)
-          corner = way.cornerOf.get(c + k * ground.columns + i);
-  }
-  if (corner === undefined) {
-    sight.distance = straight + 3;
-    return sight;
+/** Writes the place to head for from a point and the distance still to go: x, z, distance. */
+export function ahead(out: Float64Array, ground: Ground, way: LongWay, x: number, z: number): void {
+  const gx = x - way.goalX;
+  const gz = z - way.goalZ;
+  out[0] = way.goalX;
+  out[1] = way.goalZ;
+  out[2] = Math.sqrt(gx * gx + gz * gz);
+  if (!way.bent) return;
+  const { columns, rows } = ground;
+  const i = Math.floor((x - ground.x0) / ground.cell);
+  const k = Math.floor((z - ground.z0) / ground.cell);
+  let corner = i < 0 || k < 0 || i >= columns || k >= rows ? -1 : cornerAt(way.field, i, k);
+  // Beside the field: the nearest known neighbour's.
+  for (let r = 1; r <= 3 && corner < 0; r++)
+    for (let b = Math.max(0, k - r); b <= k + r && b < rows && corner < 0; b++)
+      for (let a = Math.max(0, i - r); a <= i + r && a < columns && corner < 0; a++)
+        corner = cornerAt(way.field, a, b);
+  if (corner < 0) {
+    out[2] += 3;
+    return;
   }
   const { corners } = way;
-  sight.x = corners[3 * corner];
-  sight.z = corners[3 * corner + 1];
-  sight.distance =
-    Math.sqrt((x - sight.x) * (x - sight.x) + (z - sight.z) * (z - sight.z)) + corners[3 * corner + 2];
-  return sight;
+  const dx = x - corners[3 * corner];
+  const dz = z - corners[3 * corner + 1];
+  out[0] = corners[3 * corner];
+  out[1] = corners[3 * corner + 1];
+  const left = Math.sqrt(dx * dx + dz * dz);
+  out[2] = (ground.surface === null ? left : left * surfaceCost(ground, x, z)) + corners[3 * corner + 2];
+}
+
+/** Corners from a point to the goal, for drawing: x, z, x, z, ... with both ends. */
+export function wayPoints(ground: Ground, way: LongWay, x: number, z: number): number[] {
+  const points = [x, z];
+  const next = new Float64Array(3);
+  let last = Number.POSITIVE_INFINITY;
+  for (let n = 0; n < 64; n++) {
+    ahead(next, ground, way, points[points.length - 2], points[points.length - 1]);
+    if (next[2] >= last) break;
+    last = next[2];
+    points.push(next[0], next[1]);
+    if (next[0] === way.goalX && next[1] === way.goalZ) break;
+  }
+  return points;
 }
 
 interface Heap {
@@ -209,6 +269,18 @@ interface Heap {
 }
 
 const createHeap = (): Heap => ({ keys: [], values: [], size: 0 });
+
+/** Gives every entry a new key; those with a negative one are dropped. */
+function resort(h: Heap, keyOf: (value: number) => number): void {
+  const { values, size } = h;
+  const kept: number[] = [];
+  for (let i = 0; i < size; i++) kept.push(values[i]);
+  h.size = 0;
+  for (const v of kept) {
+    const k = keyOf(v);
+    if (k >= 0) push(h, k, v);
+  }
+}
 
 function push(h: Heap, k: number, v: number): void {
   let i = h.size++;

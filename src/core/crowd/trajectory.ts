@@ -5,8 +5,9 @@ import { BODY_RADIUS, SHOULDER } from "./types.ts";
 
 /** The trajectory document. `facing` a points to (cos a, sin a) in (x, z); body circles: [forward, aside, radius]. */
 export function trajectoryOf(track: CrowdTrack, plannerMs: number[] | null): object {
+  const round = (v: number): number => Math.round(v * 1e5) / 1e5;
   const angle = (f: [number, number] | null): number | null =>
-    f === null ? null : Math.round(arcTangent(f[1], f[0]) * 1e5) / 1e5;
+    f === null ? null : round(arcTangent(f[1], f[0]));
   return {
     dt: track.dt,
     radius: 2 * BODY_RADIUS,
@@ -21,10 +22,10 @@ export function trajectoryOf(track: CrowdTrack, plannerMs: number[] | null): obj
     footsteps: track.footsteps.map((s) => ({
       agent: s.agent,
       foot: s.side > 0 ? "left" : "right",
-      position: [s.x, 0, s.z],
-      yaw: Math.round(arcTangent(s.dirX, s.dirZ) * 1e5) / 1e5,
-      lift: s.start,
-      land: s.land,
+      position: [round(s.x), 0, round(s.z)],
+      yaw: round(s.yaw),
+      lift: s.lift === null ? null : round(s.lift),
+      land: round(s.land),
     })),
     statistics: track.statistics,
     arrived: track.arrived,

@@ -120,7 +120,10 @@ function footSteps(
     f = e;
   }
   const rests: Rest[] = [];
-  for (const [from, to] of plants) rests.push(...restsOf(t, from, to, bits, o));
+  for (const [a, b] of plants) {
+    const [from, to] = firmEnds(t, a, b, n, scale);
+    rests.push(...restsOf(t, from, to, bits, o));
+  }
   if (rests.length === 0) {
     const place: Footstep = { foot, x: t.x[0], y: 0, z: t.z[0], yaw: wrapAngle(t.yaw[0]) };
     return { steps: [], first: place };
@@ -163,6 +166,42 @@ function footSteps(
     before = r;
   }
   return { steps, first: at(rests[0]) };
+}
+
+/** Frames at each end of a plant that may turn out not to be firm; metres and radians that a resting foot stays within. */
+const LOOSE = 8;
+const STILL = 0.004;
+const STILL_TURN = 0.03;
+
+/**
+ * The firm part of a plant: contacts found by height and speed hold on to a foot that creeps off or comes in slowly. The
+ * rest pose, which rolling does not move, tells: a loose end is where it leaves what it is next to the middle, by more
+ * than it trembles there.
+ */
+function firmEnds(t: RestTrack, from: number, to: number, n: number, scale: number): [number, number] {
+  const length = to - from;
+  if (length < 8) return [from, to];
+  const most = Math.min(LOOSE, Math.floor(length / 3));
+  const away = (f: number, at: number): number =>
+    Math.max(
+      Math.hypot(t.x[f] - t.x[at], t.z[f] - t.z[at], t.low[f] - t.low[at]) / (STILL * scale),
+      Math.abs(t.yaw[f] - t.yaw[at]) / STILL_TURN,
+    );
+  const end = (edge: number, inwards: 1 | -1): number => {
+    const at = edge + inwards * most;
+    // How much it trembles (or rolls past the model) over the frames farther in.
+    let tremble = 0;
+    const calm = Math.min(most, Math.max(2, Math.floor(length / 2) - most));
+    for (let k = 1; k <= calm; k++) tremble = Math.max(tremble, away(at + inwards * k, at) / k);
+    const least = Math.max(1, 3 * tremble);
+    let f = at;
+    while (f !== edge && away(f - inwards, at) <= least) f -= inwards;
+    return f;
+  };
+  // What begins or ends with the clip is not loose.
+  const a = from === 0 ? from : end(from, 1);
+  const b = to === n ? to : end(to - 1, -1) + 1;
+  return b - a >= 4 ? [a, b] : [from, to];
 }
 
 /** A plant as one rest, or several with pivots between. */

@@ -13,13 +13,15 @@ import { TASK_CATEGORIES, type TaskCategory } from "../scene/task-types.ts";
 import { categorise } from "../steps/categories.ts";
 import { assignPhases } from "../steps/phases.ts";
 import { segmentSteps } from "../steps/segment.ts";
-import { STEP_CATEGORIES, type Step } from "../steps/types.ts";
+import { type ContactTrack, STEP_CATEGORIES, type Step } from "../steps/types.ts";
 import type { Library, LibraryClip, Template, TransitionDescriptor } from "./types.ts";
 
 export interface Capture {
   name: string;
   clip: Clip;
   tasks: SidecarTask[];
+  /** Its contacts, one byte a frame; left out, they are found by height and speed, which is exact on captures without noise. */
+  contacts?: ContactTrack;
 }
 
 /** A capture that begins somewhere begins as if it had stood there. */
@@ -56,7 +58,7 @@ function emptyLibrary(): Library {
 /** Contacts, steps, categories and phases of a capture. */
 export function prepareClip(capture: Capture): LibraryClip {
   const { clip, tasks } = capture;
-  const contacts = detectContacts(clip, "both");
+  const contacts = capture.contacts ?? detectContacts(clip, "both");
   const { steps, initialStance } = segmentSteps(clip, contacts);
   categorise(steps, initialStance, tasks, clip.rate, clip.skeleton.legLength);
   const prepared: LibraryClip = {

@@ -1,5 +1,6 @@
 /** Every feature of the editor, a line each. */
 import { basics } from "./basics.ts";
+import { captures } from "./captures.ts";
 import { characters } from "./characters.ts";
 import type { Feature } from "./feature.ts";
 import { footsteps } from "./footsteps.ts";
@@ -16,4 +17,5 @@ export const ALL_FEATURES: readonly Feature[] = [
   paths,
   stones,
   characters,
+  captures,
 ];

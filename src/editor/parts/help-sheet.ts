@@ -4,7 +4,7 @@ import type { Editor } from "../editor.ts";
 import { ICONS } from "../icons.ts";
 import { allKeys } from "../keys.ts";
 
-const GROUPS = ["Tools", "Selected", "Time", "Scene"] as const;
+const GROUPS = ["Tools", "Selected", "Time", "Scene", "Labels"] as const;
 
 let dialog: HTMLDialogElement | null = null;
 let search = "";

@@ -54,6 +54,11 @@ export class PlanSession {
     this.e.redraw();
   }
 
+  /** A person's own library beside the shipped one, or none any more. */
+  useLibrary(bytes: Uint8Array | null): void {
+    this.planner.useOwn(bytes);
+  }
+
   /** The next motion starts by itself, from the beginning. */
   startOver(): void {
     this.begun = false;

@@ -23,6 +23,7 @@ export class PlannerClient {
   private restarts = 0;
   /** The visitor's styles, by name: a worker that takes over is told of them again. */
   private readonly styles = new Map<string, StyleRequest>();
+  private own: Uint8Array | null = null;
 
   constructor(
     private readonly libraryUrl: string,
@@ -50,10 +51,17 @@ export class PlannerClient {
     worker.onmessageerror = () => {
       if (worker === this.worker) this.restart();
     };
+    if (this.own) this.send({ type: "own", bytes: this.own });
     this.send({ type: "load", url: this.libraryUrl });
     for (const style of this.styles.values()) this.send(style);
     // The worker plans as soon as it has the library; nothing has to come back first.
     if (this.newest) this.send(this.newest);
+  }
+
+  /** A person's own library beside the shipped one, or none; the newest scene is planned anew with it. */
+  useOwn(bytes: Uint8Array | null): void {
+    this.own = bytes;
+    this.send({ type: "own", bytes });
   }
 
   /** Replaces the worker; the newest request is sent again. */

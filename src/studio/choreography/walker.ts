@@ -16,6 +16,7 @@ import {
 import { createRandom, type Random } from "../../core/math/random.ts";
 import { pivotPlace } from "../../core/motion/sole.ts";
 import { createSkeleton, type Skeleton } from "../../core/skeleton/skeleton.ts";
+import { CATEGORY_DEFAULTS } from "../../core/steps/categories.ts";
 import type { Foot } from "../../core/steps/types.ts";
 import {
   type Actor,
@@ -121,7 +122,10 @@ export function step(w: Walker, foot: Foot, kind: StepKind, to: GroundPose, slow
   if (!pivot) keepApart(w, foot, place);
   const lift = Math.round((w.time + support * pace) * 60) / 60;
   const land = Math.round((lift + air * pace) * 60) / 60;
-  const s: ScoreStep = { foot, kind, lift, land, x: place.x, z: place.z, yaw: wrapAngle(to.yaw) };
+  // A walking step is named by how far its foot turns, whatever rhythm it goes in.
+  const turns = Math.abs(wrapAngle(to.yaw - w.feet[foot].yaw)) >= CATEGORY_DEFAULTS.turn;
+  const named = kind === "walk" || kind === "turnStep" ? (turns ? "turnStep" : "walk") : kind;
+  const s: ScoreStep = { foot, kind: named, lift, land, x: place.x, z: place.z, yaw: wrapAngle(to.yaw) };
   w.steps.push(s);
   w.feet[foot] = { x: s.x, z: s.z, yaw: s.yaw };
   w.time = land;
@@ -370,11 +374,12 @@ export function sideStepTo(w: Walker, place: GroundPose, most = 0.44): void {
 /** Both feet a little forward or back to a stance: small steps during a task. */
 export function shuffleTo(w: Walker, place: GroundPose, first: Foot): void {
   const pair = standingPair(place, w.scale);
-  const ahead = toLocal(middle(w), place).z > 0;
   for (const foot of [first, other(first)]) {
     const turn = Math.abs(wrapAngle(pair[foot].yaw - w.feet[foot].yaw));
     if (groundDistance(w.feet[foot], pair[foot]) < 0.02 && turn < 4 * DEG) continue;
-    step(w, foot, ahead ? "forward" : "backward", pair[foot]);
+    const way = toLocal({ ...w.feet[foot], yaw: place.yaw }, pair[foot]);
+    const across = Math.abs(way.x) > CATEGORY_DEFAULTS.side * Math.abs(way.z) && Math.abs(way.x) > 0.05;
+    step(w, foot, across ? "side" : way.z > 0 ? "forward" : "backward", pair[foot]);
   }
 }
 

@@ -15,7 +15,7 @@ import {
 import { createRandom } from "../../core/math/random.ts";
 import type { Skeleton } from "../../core/skeleton/skeleton.ts";
 import { shapeOf } from "../gait-shape.ts";
-import { moodOf, type Score } from "../score.ts";
+import { layersOf, moodOf, type Score } from "../score.ts";
 import type { FootTrack } from "./feet.ts";
 import type { Gait } from "./gait.ts";
 import { addPhrase } from "./phrase.ts";
@@ -87,7 +87,8 @@ export function renderBody(
   const apart = 2 * Math.PI * Math.round((turned[1][0] - turned[0][0]) / (2 * Math.PI));
   for (let f = 0; f < frames; f++) facing[f] = (turned[0][f] + turned[1][f] - apart) / 2;
   gaussian(facing, 1, 9);
-  const look = gazeYaw(score, feet, facing, frames);
+  const on = layersOf(score);
+  const look = on.gaze ? gazeYaw(score, feet, facing, frames) : facing;
   const at = (track: Float64Array, t: number) => {
     const x = Math.max(0, Math.min(frames - 1.001, t * CLIP_RATE));
     const i = Math.floor(x);
@@ -132,7 +133,7 @@ export function renderBody(
   }
   singleSteps(b, feet, gait, skeleton, frames);
   if (score.actor.phrase) addPhrase(b, gait, score.actor.phrase);
-  alive(b, score, gait, frames);
+  if (on.alive) alive(b, score, gait, frames);
   return b;
 }
 
@@ -232,18 +233,26 @@ function alive(b: BodyAngles, score: Score, gait: Gait, frames: number): void {
   }
   const { wobble } = moodOf(score.actor);
   if (wobble > 0) {
-    // Unsteady: the trunk tips one way, the arms go the other.
-    const tip = wander(0.5, wobble * DEG);
+    // Unsteady: the trunk tips one way, the arms go the other, and paddle.
+    const tip = wander(0.55, wobble * DEG);
     const nod = wander(0.4, 0.5 * wobble * DEG);
+    const paddles = b.arms.map(() => ({
+      up: wander(0.85, 2 * wobble * DEG),
+      way: wander(0.7, 2.6 * wobble * DEG),
+    }));
     for (let f = 0; f < frames; f++) {
       b.chestRoll[f] += tip[f];
       b.pelvisRoll[f] += 0.35 * tip[f];
       b.headRoll[f] += 0.5 * tip[f];
       b.chestPitch[f] += nod[f];
-      b.arms[0].out[f] -= 2.5 * tip[f];
-      b.arms[1].out[f] += 2.5 * tip[f];
-      b.arms[0].swing[f] += 1.5 * nod[f];
-      b.arms[1].swing[f] -= 1.5 * nod[f];
+      b.arms.forEach((arm, side) => {
+        const sign = side === 0 ? 1 : -1;
+        // Hanging arms waver less than those held out.
+        const out = smoothstep(arm.out[f] / (70 * DEG));
+        arm.out[f] += out * (paddles[side].up[f] - sign * 3 * tip[f]);
+        arm.swing[f] += (0.3 + 0.7 * out) * (0.6 * paddles[side].way[f] + sign * 1.5 * nod[f]);
+        arm.turn[f] += out * paddles[side].way[f];
+      });
     }
   }
   // Breathing, 0.25 Hz.

@@ -19,7 +19,7 @@ import { contactsOfPitch, pivotPlace, plantedAnkle } from "../../core/motion/sol
 import type { FootShape, Skeleton } from "../../core/skeleton/skeleton.ts";
 import type { Foot } from "../../core/steps/types.ts";
 import { type GaitShape, shapeOf } from "../gait-shape.ts";
-import { type Mood, moodOf, type Score, type ScoreStance, type ScoreStep } from "../score.ts";
+import { layersOf, type Mood, moodOf, type Score, type ScoreStance, type ScoreStep } from "../score.ts";
 
 const DEG = Math.PI / 180;
 
@@ -118,7 +118,7 @@ export function renderFoot(score: Score, foot: Foot, skeleton: Skeleton, frames:
     turning: new Uint8Array(frames),
   };
   const moves = movesOf(score, foot, leg, gait, mood);
-  stancePitch(track.pitch, moves, frames, gait);
+  if (layersOf(score).roll) stancePitch(track.pitch, moves, frames, gait);
   const out = new Float64Array(3);
   let k = 0;
   for (let f = 0; f < frames; f++) {
@@ -284,8 +284,8 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, m
     }
     track.yaw[f] = m.from.yaw + turn * (walk ? smoothstep((u - 0.05) / 0.9) : minimumJerk(u));
     // Clearance of heel, ball and tip.
-    const low = path[3 * i + 1] + lowest(shape, track.pitch[f]);
-    const wanted = 0.012 * scale * readMonotone([0, 0.15, 0.85, 1], [0, 1, 1, 0], u);
+    const low = path[3 * i + 1] + lowestOfFoot(shape, track.pitch[f]);
+    const wanted = clearanceAt(u) * scale;
     const bump = Math.sin(Math.PI * u) ** 2;
     if (u > 0.12 && u < 0.92) lack = Math.max(lack, (wanted - low) / bump);
   }
@@ -293,13 +293,13 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, m
     const f = first + i;
     const u = unit((f / CLIP_RATE - m.lift) / d);
     path[3 * i + 1] += lack * Math.sin(Math.PI * u) ** 2;
-    const floor = -lowest(shape, track.pitch[f]) + 0.0005;
+    const floor = -lowestOfFoot(shape, track.pitch[f]) + 0.0005;
     if (u > 0.06) path[3 * i + 1] = Math.max(path[3 * i + 1], floor);
     track.ankle.set([path[3 * i], path[3 * i + 1], path[3 * i + 2]], 3 * f);
     plantedAnkle(out, shape, pitch0);
     const bend =
       out[2] * Math.exp(-(u * d) / 0.05) + 4 * DEG * smoothstep((u - 0.6) / 0.4) * (walk ? m.strike : 0);
-    track.toeBend[f] = boundedBend(shape, path[3 * i + 1], track.pitch[f], bend);
+    track.toeBend[f] = boundedBend(shape, path[3 * i + 1], track.pitch[f], bend, u);
     track.contacts[f] = 0;
   }
 }
@@ -316,7 +316,7 @@ const HUMP_TOP =
 const smallWay = (u: number): number => 0.35 * minimumJerk(u) + 0.65 * smoothstep(u);
 
 /** Height of the lowest of heel point and ball sole against the ankle joint, at a pitch. */
-function lowest(shape: FootShape, pitch: number): number {
+export function lowestOfFoot(shape: FootShape, pitch: number): number {
   const s = Math.sin(pitch);
   const c = Math.cos(pitch);
   const heel = -shape.heelBack * s - shape.ankleHeight * c;
@@ -324,14 +324,18 @@ function lowest(shape: FootShape, pitch: number): number {
   return Math.min(heel, ball);
 }
 
-/** A toe bend that keeps the tip 3 mm up. */
-function boundedBend(shape: FootShape, ankle: number, pitch: number, bend: number): number {
+/** Least height of heel and ball over the ground at a fraction of the swing, metres at a leg of 0.93 m. */
+export const clearanceAt = (u: number): number => 0.012 * readMonotone([0, 0.15, 0.85, 1], [0, 1, 1, 0], u);
+
+/** A toe bend that keeps the tip at least 3 mm up, 7 in mid-swing. */
+export function boundedBend(shape: FootShape, ankle: number, pitch: number, bend: number, u: number): number {
   const s = Math.sin(pitch);
   const c = Math.cos(pitch);
   const ball = ankle + shape.ballForward * s - (shape.ankleHeight - shape.ballHeight) * c;
   const tip = (b: number) =>
     ball + shape.tipForward * Math.sin(pitch + b) - shape.ballHeight * Math.cos(pitch + b);
   let b = bend;
-  for (let k = 0; k < 12 && tip(b) < 0.003; k++) b += 5 * DEG;
+  const least = 0.003 + 0.35 * clearanceAt(u);
+  for (let k = 0; k < 24 && tip(b) < least; k++) b += 2.5 * DEG;
   return Math.min(b, 65 * DEG);
 }

@@ -2,17 +2,22 @@
  * Flight: while no foot is down the centre of mass falls freely; while one is, it follows the gait's own rise and fall.
  *
  * The height that the posed body has is the wish; the height answered is the nearest one, in the least-squares sense,
- * whose acceleration is -g wherever the body is unsupported and as smooth as the wish elsewhere.
+ * whose acceleration is -g wherever the body is unsupported, that of a half-sine push on the ground between two flights
+ * (its size from the momentum that the flights take), and as smooth as the wish elsewhere.
  */
 import { CLIP_RATE } from "../../core/capture/clip.ts";
+import { unit } from "../../core/math/interpolate.ts";
 import { factorBand, solveBand } from "../../core/optimize/banded-cholesky.ts";
 import type { FootTrack } from "./feet.ts";
 
 const G = 9.81;
-/** Weights of following the wish, of its second difference, and of falling freely in flight. */
+/** Weights of following the wish, of its second difference, of falling freely in flight, of the push between two flights. */
 const FOLLOW = 1;
 const SMOOTH = 60;
 const FALL = 4e4;
+const PUSH = 1500;
+/** Frames of flight that make the push sure. */
+const LONG_FLIGHT = 7;
 
 /** Frames in which neither foot touches: 1; null when there is none. */
 export function flightFrames(feet: readonly [FootTrack, FootTrack], frames: number): Uint8Array | null {
@@ -39,13 +44,20 @@ export function ballisticHeight(wish: Float64Array, flight: Uint8Array): Float64
   // Normal equations of a pentadiagonal least-squares problem: rows d2 y = target, weight w.
   const band = new Float64Array(3 * n);
   const right = new Float64Array(n);
+  const push = pushes(flight);
   for (let f = 0; f < n; f++) {
     const w = flight[f] ? 0 : FOLLOW;
     band[3 * f] += w + 1e-6;
     right[f] += (w + 1e-6) * wish[f];
     if (f === 0 || f === n - 1) continue;
-    const weight = flight[f] ? FALL : SMOOTH;
-    const target = flight[f] ? fall : wish[f - 1] - 2 * wish[f] + wish[f + 1];
+    const own = wish[f - 1] - 2 * wish[f] + wish[f + 1];
+    const blend = (push.weight[f] - SMOOTH) / (PUSH - SMOOTH);
+    const weight = flight[f] ? FALL : push.weight[f] || SMOOTH;
+    const target = flight[f]
+      ? fall
+      : push.weight[f] > 0
+        ? blend * fall * (1 - push.force[f]) + (1 - blend) * own
+        : own;
     const c = [1, -2, 1];
     for (let a = 0; a < 3; a++) {
       const i = f - 1 + a;
@@ -56,6 +68,36 @@ export function ballisticHeight(wish: Float64Array, flight: Uint8Array): Float64
   factorBand(band, n, 3, 1e-9);
   solveBand(band, n, 3, right);
   return right;
+}
+
+/** Force on the ground over the body's weight in each stance between two flights, a half sine, and how surely; 0 elsewhere. */
+function pushes(flight: Uint8Array): { force: Float64Array; weight: Float64Array } {
+  const n = flight.length;
+  const out = { force: new Float64Array(n), weight: new Float64Array(n) };
+  const lengthFrom = (f: number, by: 1 | -1): number => {
+    let k = f;
+    while (k >= 0 && k < n && flight[k]) k += by;
+    return Math.abs(k - f);
+  };
+  for (let f = 1; f < n; f++) {
+    if (flight[f] || !flight[f - 1]) continue;
+    let e = f;
+    while (e < n && !flight[e]) e++;
+    const stance = e - f;
+    // Longer than a runner's stance: he has stopped.
+    if (e < n && stance < 0.6 * CLIP_RATE) {
+      const carried = stance + (lengthFrom(f - 1, -1) + lengthFrom(e, 1)) / 2;
+      const top = (Math.PI / 2) * (carried / stance);
+      // A short hop says little about the push; a flight says it all.
+      const sure = unit((carried - stance) / LONG_FLIGHT);
+      for (let k = f; k < e; k++) {
+        out.force[k] = top * Math.sin((Math.PI * (k - f + 0.5)) / stance);
+        out.weight[k] = SMOOTH + sure * sure * (PUSH - SMOOTH);
+      }
+    }
+    f = e - 1;
+  }
+  return out;
 }
 
 /** Upward acceleration over gravity of a height track: 1 at rest, 0 in free fall. */

@@ -9,14 +9,24 @@ import type { BodyAngles } from "./body.ts";
 import type { Gait } from "./gait.ts";
 
 /** What a line of a phrase moves; degrees, but `sink` in metres. */
-export type PhrasePart =
-  | "lean"
-  | "tip"
-  | "twist"
-  | "nod"
-  | "shake"
-  | "sink"
-  | `${"left" | "right"}${"Out" | "Swing" | "Elbow" | "Turn"}`;
+export const PHRASE_PARTS = [
+  "lean",
+  "tip",
+  "twist",
+  "nod",
+  "shake",
+  "sink",
+  "leftOut",
+  "leftSwing",
+  "leftElbow",
+  "leftTurn",
+  "rightOut",
+  "rightSwing",
+  "rightElbow",
+  "rightTurn",
+] as const;
+
+export type PhrasePart = (typeof PHRASE_PARTS)[number];
 
 export interface PhraseLine {
   part: PhrasePart;

@@ -1,0 +1,267 @@
+/**
+ * Fits the numbers of one gait shape to averages of real walkers: `npm run fit -- NAME [ROUNDS]`, with the reference
+ * material beside the repository. Prints the shape to be copied to src/studio/gait-shapes.ts, and how it stands.
+ *
+ * Damped Gauss-Newton by differences. Residuals: hip, knee and ankle over max(SD, 2 degrees), excursions, clearance and
+ * toe lift, joints that turn faster than people's do, balance, rough keys, and the distance from the start.
+ */
+import { balanceShares } from "../../src/core/quality/balance.ts";
+import { type GaitAnalysis, measureGait } from "../../src/core/quality/gait.ts";
+import { motionPoints } from "../../src/core/quality/measure.ts";
+import { J, JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
+import { DEFAULT_PROPORTIONS, REFERENCE_HEIGHT } from "../../src/core/skeleton/skeleton.ts";
+import type { Plan } from "../../src/core/tasks/plan-types.ts";
+import { straightScore } from "../../src/studio/choreography/straight.ts";
+import type { GaitShape } from "../../src/studio/gait-shape.ts";
+import { renderScore } from "../../src/studio/render.ts";
+import { curveShares } from "../support/gait-real.ts";
+import { RECIPES, type Recipe, targetOf } from "./recipes.ts";
+
+/** Keys that are fitted and how far each may sensibly go: the scale of its step and of its prior. */
+const KEYS: Partial<Record<keyof GaitShape, number>> = {
+  push: 8,
+  strike: 5,
+  flat: 0.015,
+  heelRise: 0.1,
+  heelPower: 0.4,
+  pushOverSwing: 0.12,
+  strikeOverSwing: 0.08,
+  way: 0.03,
+  rise: 0.012,
+  pressure: 0.025,
+  outward: 0.006,
+  heights: 0.008,
+  pelvisYaw: 3,
+  pelvisLead: 0.3,
+  pelvisTilt: 2,
+  lean: 2,
+};
+/** Angular accelerations of real walkers and runners at 30 Hz, 99.9th percentile, radians per second squared. */
+const USUAL: [number, number][] = [
+  [J.leftUpperLeg, 150],
+  [J.leftLowerLeg, 240],
+  [J.leftFoot, 400],
+  [J.leftToes, 450],
+];
+
+interface Slot {
+  key: keyof GaitShape;
+  index: number | null;
+  scale: number;
+}
+
+function slotsOf(shape: GaitShape): Slot[] {
+  const out: Slot[] = [];
+  for (const [name, scale] of Object.entries(KEYS)) {
+    const key = name as keyof GaitShape;
+    const value = shape[key];
+    if (typeof value === "number") out.push({ key, index: null, scale });
+    else
+      for (let i = 0; i < value.length; i++) {
+        // Ends that are fixed by definition.
+        if (key === "pushOverSwing" && (i === 0 || i === 10)) continue;
+        if (key === "strikeOverSwing" && (i < 4 || i === 10)) continue;
+        if ((key === "way" || key === "rise") && (i === 0 || i === 10)) continue;
+        out.push({ key, index: i, scale });
+      }
+  }
+  return out;
+}
+
+function withValues(shape: GaitShape, slots: readonly Slot[], x: Float64Array): GaitShape {
+  const out = structuredClone(shape) as unknown as Record<string, number | number[]>;
+  slots.forEach((s, k) => {
+    if (s.index === null) out[s.key] = (out[s.key] as number) + x[k] * s.scale;
+    else (out[s.key] as number[])[s.index] += x[k] * s.scale;
+  });
+  return out as unknown as GaitShape;
+}
+
+interface Look {
+  gait: GaitAnalysis;
+  /** Per joint, over the usual. */
+  turning: number[];
+  balance: number;
+}
+
+function look(recipe: Recipe, shape: GaitShape): Look | null {
+  const { clip, contacts } = renderScore(
+    straightScore({
+      name: "fit",
+      seed: 1,
+      actor: {
+        height: REFERENCE_HEIGHT,
+        proportions: DEFAULT_PROPORTIONS,
+        pace: { ...recipe.pace, noise: 0.3 },
+        shape,
+      },
+      steps: 8,
+    }),
+  );
+  const gait = measureGait(clip, contacts);
+  if (!gait) return null;
+  const turning = USUAL.map(([joint, usual]) => {
+    let most = 0;
+    const q = clip.rotations;
+    for (let f = 60; f < clip.frames - 90; f++) {
+      let s = 0;
+      const w = (a: number, b: number, k: number) => {
+        // Small rotation between two frames, component k of twice the vector part of conj(a) b.
+        const o = 4 * (JOINT_COUNT * a + joint);
+        const p = 4 * (JOINT_COUNT * b + joint);
+        const [x, y, z, v] = [q[o], q[o + 1], q[o + 2], q[o + 3]];
+        const [X, Y, Z, V] = [q[p], q[p + 1], q[p + 2], q[p + 3]];
+        const d = [
+          v * X - x * V - y * Z + z * Y,
+          v * Y - y * V - z * X + x * Z,
+          v * Z - z * V - x * Y + y * X,
+        ];
+        return 2 * d[k] * 30;
+      };
+      for (let k = 0; k < 3; k++) s += ((w(f, f + 2, k) - w(f - 2, f, k)) * 30) ** 2;
+      most = Math.max(most, Math.sqrt(s));
+    }
+    return most / (usual * (recipe.run ? 1.5 : 1));
+  });
+  const points = motionPoints(
+    clip.skeleton,
+    [
+      {
+        first: 0,
+        frames: clip.frames,
+        root: Float32Array.from(clip.root),
+        rotations: Float32Array.from(clip.rotations),
+        contacts,
+      },
+    ],
+    clip.frames,
+  );
+  const nothing = { tasks: [] } as unknown as Plan;
+  const level = new Float64Array(clip.frames);
+  return {
+    gait,
+    turning,
+    balance: balanceShares(points, clip.skeleton, nothing, [], [level, level]).near ?? 0,
+  };
+}
+
+function residuals(recipe: Recipe, shape: GaitShape, x: Float64Array): number[] | null {
+  const seen = look(recipe, shape);
+  if (!seen) return null;
+  const target = targetOf(recipe);
+  const out: number[] = [];
+  for (const joint of ["hip", "knee", "ankle"] as const) {
+    const { mean, sd } = target.curves_deg[joint];
+    for (let k = 0; k < 101; k += 2)
+      out.push(
+        ((seen.gait[joint].mean[k] - mean[k]) / Math.max(recipe.softness ?? 2, sd[k])) * Math.sqrt(2 / 101),
+      );
+  }
+  const f = seen.gait.facts;
+  out.push((0.8 * (100 * f.pelvisVertical - target.pelvis_vertical_excursion_cm.mean)) / 0.5);
+  out.push((0.3 * (100 * f.pelvisLateral - target.pelvis_lateral_excursion_cm.mean)) / 1.2);
+  out.push((0.8 * Math.min(0, 100 * f.tipClearance - target.swing_min_tip_clearance_cm.mean)) / 0.3);
+  out.push((0.3 * (100 * f.toeLift - target.swing_max_toe_joint_lift_cm.mean)) / 1.5);
+  for (const t of seen.turning) out.push(1.5 * Math.max(0, t - 1));
+  if (!recipe.run) out.push(8 * Math.max(0, (recipe.balance ?? 0.9) - seen.balance));
+  const rough = (keys: readonly number[], scale: number, period: boolean) => {
+    const n = keys.length;
+    for (let i = period ? 0 : 2; i < (period ? n : n - 1); i++) {
+      const d = keys[(i + n - 1) % n] - 2 * keys[i] + keys[(i + 1) % n];
+      out.push((0.25 * d) / scale);
+    }
+  };
+  rough(shape.pushOverSwing, 0.5, false);
+  rough(shape.strikeOverSwing, 0.3, false);
+  rough(shape.rise, 0.04, false);
+  rough(shape.way, 0.06, false);
+  rough(shape.heights, 0.02, true);
+  // Pressure stays in the foot; a runner's whole body need not balance over it.
+  for (const p of shape.pressure) {
+    const over = Math.max(0, p - (recipe.run ? 0.3 : 0.185), (recipe.run ? -0.15 : -0.04) - p);
+    out.push(over / 0.01);
+  }
+  for (const v of x) out.push(0.06 * v);
+  return out;
+}
+
+/** Solves (A + damp) d = b, dense, by Cholesky-free elimination; sizes are some sixty. */
+function solve(a: number[][], b: number[], damp: number): Float64Array {
+  const n = b.length;
+  const m = a.map((row, i) => [...row.map((v, j) => (i === j ? v * (1 + damp) + 1e-6 : v)), b[i]]);
+  for (let i = 0; i < n; i++) {
+    let p = i;
+    for (let r = i + 1; r < n; r++) if (Math.abs(m[r][i]) > Math.abs(m[p][i])) p = r;
+    [m[i], m[p]] = [m[p], m[i]];
+    for (let r = i + 1; r < n; r++) {
+      const k = m[r][i] / m[i][i];
+      if (k !== 0) for (let c = i; c <= n; c++) m[r][c] -= k * m[i][c];
+    }
+  }
+  const x = new Float64Array(n);
+  for (let i = n - 1; i >= 0; i--) {
+    let s = m[i][n];
+    for (let c = i + 1; c < n; c++) s -= m[i][c] * x[c];
+    x[i] = s / m[i][i];
+  }
+  return x;
+}
+
+const cost = (r: readonly number[]): number => r.reduce((s, v) => s + v * v, 0);
+
+function report(recipe: Recipe, shape: GaitShape): string {
+  const seen = look(recipe, shape);
+  if (!seen) return "no steady cycle";
+  const target = targetOf(recipe);
+  const rows = (["hip", "knee", "ankle"] as const).map((joint) => {
+    const s = curveShares(seen.gait, target, joint);
+    return `${joint} ${s.once.toFixed(2)}/${s.twice.toFixed(2)} rms ${s.rms.toFixed(1)}`;
+  });
+  const f = seen.gait.facts;
+  return `${rows.join(", ")}; turning ${seen.turning.map((t) => t.toFixed(2)).join(" ")}; balance ${seen.balance.toFixed(2)}; vertical ${(100 * f.pelvisVertical).toFixed(1)}, lateral ${(100 * f.pelvisLateral).toFixed(1)}, clearance ${(100 * f.tipClearance).toFixed(1)}, toe lift ${(100 * f.toeLift).toFixed(1)}, stance ${f.stance.toFixed(2)}`;
+}
+
+export async function main(args: string[]): Promise<number> {
+  const recipe = RECIPES[args[0] ?? ""];
+  if (!recipe) {
+    console.error(`A recipe is needed: ${Object.keys(RECIPES).join(", ")}.`);
+    return 2;
+  }
+  const rounds = Number(args[1] ?? 10);
+  const slots = slotsOf(recipe.start);
+  let x = new Float64Array(slots.length);
+  let r = residuals(recipe, recipe.start, x);
+  if (!r) throw new Error("The start has no steady cycle.");
+  console.error(`start ${cost(r).toFixed(2)}: ${report(recipe, recipe.start)}`);
+  let damp = 0.1;
+  for (let round = 0; round < rounds; round++) {
+    const columns = slots.map((_, k) => {
+      const y = Float64Array.from(x);
+      y[k] += 0.15;
+      const moved = residuals(recipe, withValues(recipe.start, slots, y), y);
+      return moved ? moved.map((v, i) => (v - (r as number[])[i]) / 0.15) : new Array(r?.length ?? 0).fill(0);
+    });
+    const normal = columns.map((a) => columns.map((b) => a.reduce((s, v, i) => s + v * b[i], 0)));
+    const slope = columns.map((a) => -a.reduce((s, v, i) => s + v * (r as number[])[i], 0));
+    let better = false;
+    for (let attempt = 0; attempt < 6 && !better; attempt++) {
+      const d = solve(normal, slope, damp);
+      const y = x.map((v, k) => v + Math.max(-1.5, Math.min(1.5, d[k])));
+      const moved = residuals(recipe, withValues(recipe.start, slots, y), y);
+      if (moved && cost(moved) < cost(r) - 1e-4) {
+        x = y;
+        r = moved;
+        better = true;
+        damp = Math.max(1e-3, damp / 3);
+      } else damp *= 4;
+    }
+    const shape = withValues(recipe.start, slots, x);
+    console.error(
+      `round ${round + 1} ${cost(r).toFixed(2)} damp ${damp.toFixed(3)}: ${report(recipe, shape)}`,
+    );
+    if (!better) break;
+  }
+  const final = withValues(recipe.start, slots, x);
+  console.log(JSON.stringify(final, (_, v) => (typeof v === "number" ? Math.round(v * 1e4) / 1e4 : v)));
+  return 0;
+}

@@ -1,0 +1,83 @@
+/** What each gait shape is fitted to: a group of real walkers, their pace, and the numbers to begin with. */
+
+import type { GaitShape } from "../../src/studio/gait-shape.ts";
+import { BOUNCING, FITTED } from "../../src/studio/gait-shapes.ts";
+import type { Pace } from "../../src/studio/score.ts";
+import { type RealGait, realGait } from "../support/gait-real.ts";
+
+export interface Recipe {
+  group: string;
+  pace: Partial<Pace>;
+  start: GaitShape;
+  run?: boolean;
+  /** Share of frames in balance that is enough. */
+  balance?: number;
+  /** Least standard deviation that a curve is judged by, degrees. */
+  softness?: number;
+  /** Changes a group's averages to another speed. */
+  change?: (real: RealGait) => RealGait;
+}
+
+const { walks, runs } = FITTED;
+
+export const RECIPES: Record<string, Recipe> = {
+  slow: {
+    group: "bandai-2/walk/elderly",
+    pace: { length: 0.3818, time: 0.5335, stance: 0.69, width: 0.1147, toeOut: 0.1358 },
+    start: walks[0],
+  },
+  comfortable: {
+    group: "bandai-2/walk/normal",
+    pace: { length: 0.6387, time: 0.5555, stance: 0.6426, width: 0.0903, toeOut: 0.2085 },
+    start: walks[1],
+  },
+  fast: {
+    group: "bandai-1/walk/normal",
+    pace: { length: 0.74, time: 0.475, stance: 0.63, width: 0.09, toeOut: 0.1 },
+    start: walks[2],
+    softness: 4,
+    change: faster,
+  },
+  bouncing: {
+    group: "bandai-2/walk/active",
+    pace: { length: 0.7047, time: 0.4935, stance: 0.6067, width: 0.0938, toeOut: 0.2061 },
+    start: BOUNCING,
+    balance: 0.75,
+  },
+  jog: {
+    group: "bandai-1/run/happy",
+    pace: { length: 0.7213, time: 0.3835, stance: 0.4772, width: 0.06, toeOut: 0.0838 },
+    start: runs[0],
+    run: true,
+  },
+  run: {
+    group: "bandai-2/run/normal",
+    pace: { length: 1.3616, time: 0.373, stance: 0.337, width: 0.06, toeOut: 0.1 },
+    start: runs[runs.length - 1],
+    run: true,
+  },
+};
+
+/**
+ * A comfortable walker's averages at 1.56 m/s: the hip swings wider in proportion to the step, the knee yields more as it
+ * is loaded, the hips rise and fall more [Winter, Biomechanics and Motor Control of Human Gait, fast cadence].
+ */
+function faster(real: RealGait): RealGait {
+  const hip = real.curves_deg.hip.mean;
+  const middle = hip.reduce((a, b) => a + b, 0) / hip.length;
+  const knee = real.curves_deg.knee.mean.map((v, k) => v + 5 * Math.exp(-(((k - 13) / 8) ** 2)));
+  return {
+    ...real,
+    curves_deg: {
+      ...real.curves_deg,
+      hip: { ...real.curves_deg.hip, mean: hip.map((v) => middle + 1.13 * (v - middle) + 1.5) },
+      knee: { ...real.curves_deg.knee, mean: knee },
+    },
+    pelvis_vertical_excursion_cm: { mean: 4.6 },
+  };
+}
+
+export const targetOf = (recipe: Recipe): RealGait => {
+  const real = realGait(recipe.group);
+  return recipe.change ? recipe.change(real) : real;
+};
