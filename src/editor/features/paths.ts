@@ -22,8 +22,10 @@ export const paths: Feature = {
     // The timeline is taller while there is a walk to time; points have handles while their path is open.
     let before = "";
     const follow = () => {
-      const { scene, tab, tool } = e.store.getState();
-      document.documentElement.classList.toggle("with-path", scene.paths.length > 0);
+      const { scene, tab, tool, choice } = e.store.getState();
+      // Not while points are set: the room must not move under the pointer between two clicks.
+      const setting = tool === "path" && choice === "points";
+      document.documentElement.classList.toggle("with-path", scene.paths.length > 0 && !setting);
       if (before !== `${tab} ${tool}`) e.markers.draw();
       before = `${tab} ${tool}`;
     };
