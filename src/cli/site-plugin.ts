@@ -14,7 +14,7 @@ const POLICY = [
   "img-src 'self' data: blob:",
   "font-src 'self' data:",
   "worker-src 'self'",
-  "connect-src 'self' https: blob:",
+  "connect-src 'self' https: blob: data:",
   "object-src 'none'",
   "base-uri 'none'",
   "form-action 'none'",

@@ -138,6 +138,7 @@ export class Editor {
     this.stage.frame([
       [scene.start.position[0], 0, scene.start.position[1]],
       ...this.things().map((t): [number, number, number] => [t.position[0], t.position[1], t.position[2]]),
+      ...scene.paths.flatMap((p) => p.points.map((q): [number, number, number] => [q[0], 0, q[1]])),
     ]);
   }
 

@@ -6,7 +6,9 @@ import crowdDoorway from "../../assets/scenes/crowd-doorway.json";
 import crowdEgress from "../../assets/scenes/crowd-egress.json";
 import crowdHallway from "../../assets/scenes/crowd-hallway.json";
 import crowdUTurn from "../../assets/scenes/crowd-u-turn.json";
+import figureEight from "../../assets/scenes/figure-eight.json";
 import movingBoxes from "../../assets/scenes/moving-boxes.json";
+import onePathFourStyles from "../../assets/scenes/one-path-four-styles.json";
 import roundTheTable from "../../assets/scenes/round-the-table.json";
 import twoBoxesAway from "../../assets/scenes/two-boxes-away.json";
 import { defaultScene } from "../core/scene/default-scene.ts";
@@ -36,4 +38,6 @@ export const EXAMPLES: readonly Example[] = [
   { name: "Crowd: leaving a room", scene: () => parseScene(crowdEgress) },
   { name: "Crowd: U-turn", scene: () => parseScene(crowdUTurn) },
   { name: "Crowd: crossing", scene: () => parseScene(crowdCrossing) },
+  { name: "One path, four styles", scene: () => parseScene(onePathFourStyles) },
+  { name: "Figure eight", scene: () => parseScene(figureEight) },
 ];

@@ -19,12 +19,15 @@ export function chord(ev: KeyboardEvent): string {
   return `${ev.ctrlKey || ev.metaKey ? "Ctrl+" : ""}${ev.altKey ? "Alt+" : ""}${shift ? "Shift+" : ""}${key}`;
 }
 
+/** Tools and choices may do without a key. */
+const keyed = (key: string): string[] => (key === "" ? [] : [key]);
+
 /** Every key, those of the tools first. */
 export function allKeys(e: Editor): readonly KeyBinding[] {
   const tools: KeyBinding[] = e.registry.tools.flatMap((t) => [
-    { keys: [t.key], label: t.label, group: "Tools" as const, run: (x: Editor) => x.tools.use(t.id) },
+    { keys: keyed(t.key), label: t.label, group: "Tools" as const, run: (x: Editor) => x.tools.use(t.id) },
     ...(t.choices ?? []).map((c) => ({
-      keys: [c.key],
+      keys: keyed(c.key),
       label: `${t.label}: ${c.label.toLowerCase()}`,
       group: "Tools" as const,
       run: (x: Editor) => x.tools.use(t.id, c.id),

@@ -99,7 +99,7 @@ export class PlannerHub {
       this.next();
       return;
     }
-    if (message.type === "failed" && message.id === 0) {
+    if (!("id" in message) || (message.type === "failed" && message.id === 0)) {
       for (const a of this.askers.values()) a.hear(message);
       return;
     }

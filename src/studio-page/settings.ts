@@ -1,4 +1,5 @@
 /** The sliders of the studio page: what each changes, in which range, and how its value is said. */
+import { BOUNCING } from "../studio/gait-shapes.ts";
 import { type Mood, NEUTRAL } from "../studio/score.ts";
 import { type Style, styleManner } from "../studio/styles.ts";
 import type { WalkSettings } from "../studio/walk-score.ts";
@@ -28,6 +29,7 @@ export const START: WalkSettings = {
   noise: 1,
   seed: 1,
   bouncing: false,
+  phrase: null,
   without: [],
 };
 
@@ -153,7 +155,7 @@ export const VARIATION: Slider[] = [
 
 /** Settings that walk in one of the styles, at the person's own height. */
 export function inStyle(s: WalkSettings, style: Style): WalkSettings {
-  const { pace, mood: manner, bouncing } = styleManner(style);
+  const { pace, mood: manner, phrase, shape } = styleManner(style);
   const length = pace.length ?? 0.635;
   const time = pace.time ?? 0.55;
   return {
@@ -167,6 +169,7 @@ export function inStyle(s: WalkSettings, style: Style): WalkSettings {
     width: pace.width ?? 0.14,
     toeOut: ((pace.toeOut ?? 0.1) * 180) / Math.PI,
     mood: { ...manner },
-    bouncing: bouncing === true,
+    bouncing: shape === BOUNCING,
+    phrase: phrase ?? null,
   };
 }

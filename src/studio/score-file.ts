@@ -9,7 +9,9 @@ import { readJson } from "../core/scene/json-text.ts";
 import { TASK_CATEGORIES } from "../core/scene/task-types.ts";
 import { createSkeleton, DEFAULT_PROPORTIONS, REFERENCE_HEIGHT } from "../core/skeleton/skeleton.ts";
 import { FEET } from "../core/steps/types.ts";
-import { BOUNCING } from "./gait-shapes.ts";
+import type { GaitShape } from "./gait-shape.ts";
+import { BOUNCING, FITTED } from "./gait-shapes.ts";
+import { PHRASE_PARTS } from "./layers/phrase.ts";
 import {
   DEFAULT_PACE,
   LAYERS,
@@ -40,7 +42,7 @@ const time = within(0, 600);
 const object = <E extends v.ObjectEntries>(entries: E) => v.strictObject(entries, "an object is needed");
 const list = <S extends v.BaseSchema<unknown, unknown, v.BaseIssue<unknown>>>(item: S, most: number) =>
   v.pipe(v.array(item, "a list is needed"), v.maxLength(most, `at most ${most} entries are possible`));
-const oneOf = <T extends readonly [string, ...string[]]>(values: T) =>
+const oneOf = <T extends string>(values: readonly [T, ...T[]]) =>
   v.picklist(values, `one of ${values.join(", ")} is needed`);
 const stance = object({ x: place, z: place, yaw: v.optional(angle, 0) });
 const point3 = v.tuple([place, place, place], "three numbers are needed");
@@ -98,6 +100,19 @@ const event = v.variant(
   "type write, lift, place, sit or note is needed",
 );
 
+/** Gaits by name, for an actor whose gait is not that of the pace's speed. */
+const GAITS = {
+  slow: FITTED.walks[0],
+  comfortable: FITTED.walks[1],
+  fast: FITTED.walks[2],
+  bouncing: BOUNCING,
+  jog: FITTED.runs[0],
+  run: FITTED.runs[1],
+} as const satisfies Record<string, GaitShape>;
+type GaitName = keyof typeof GAITS;
+const GAIT_NAMES = Object.keys(GAITS) as GaitName[];
+const GAIT_CHOICES: readonly [GaitName | "speed", ...(GaitName | "speed")[]] = ["speed", ...GAIT_NAMES];
+
 const factor = v.optional(within(0.7, 1.4), 1);
 const document = object({
   version: v.literal(1, "version 1 is needed"),
@@ -112,7 +127,21 @@ const document = object({
       proportions: v.optional(object({ leg: factor, arm: factor, torso: factor }), DEFAULT_PROPORTIONS),
       pace: v.optional(numbers(DEFAULT_PACE, 0, 3)),
       mood: v.optional(numbers(NEUTRAL, -120, 120)),
-      gait: v.optional(oneOf(["speed", "bouncing"]), "speed"),
+      phrase: v.optional(
+        object({
+          strides: v.pipe(within(1, 100), v.integer("a whole number is needed")),
+          lines: list(
+            object({
+              part: oneOf(PHRASE_PARTS),
+              times: within(0, 100),
+              amount: within(-180, 180),
+              at: within(-1, 1),
+            }),
+            100,
+          ),
+        }),
+      ),
+      gait: v.optional(oneOf(GAIT_CHOICES), "speed"),
     }),
     {},
   ),
@@ -155,7 +184,7 @@ export function readScore(text: string): Score {
     throw new ScoreError(`${v.getDotPath(issue)?.replace(/\.(\d+)/g, "[$1]") ?? "score"}: ${issue.message}.`);
   }
   const d = result.output;
-  const { gait, pace, mood, ...body } = d.actor;
+  const { gait, pace, mood, phrase, ...body } = d.actor;
   const score: Score = {
     name: d.name,
     seed: d.seed,
@@ -163,7 +192,8 @@ export function readScore(text: string): Score {
       ...body,
       ...(pace ? { pace: defined(pace) } : {}),
       ...(mood ? { mood: defined(mood) } : {}),
-      ...(gait === "bouncing" ? { shape: BOUNCING } : {}),
+      ...(phrase ? { phrase } : {}),
+      ...(gait !== "speed" ? { shape: GAITS[gait] } : {}),
     },
     start: d.start,
     steps: [],
@@ -248,11 +278,12 @@ function defined<T extends object>(record: T): { [K in keyof T]: Exclude<T[K], u
 /** A score as its JSON text, a line a step; `readScore` reads it to the same score. */
 export function writeScore(score: Score): string {
   const { shape, ...actor } = score.actor;
+  const gait = GAIT_NAMES.find((name) => GAITS[name] === shape);
   const page = {
     version: 1,
     name: score.name,
     seed: score.seed,
-    actor: { ...actor, ...(shape === BOUNCING ? { gait: "bouncing" } : {}) },
+    actor: { ...actor, ...(gait ? { gait } : {}) },
     duration: score.duration,
     start: score.start,
     ...(score.without?.length ? { without: score.without } : {}),

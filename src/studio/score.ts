@@ -10,6 +10,7 @@ import type { SidecarTask } from "../core/capture/sidecar.ts";
 import type { Proportions } from "../core/skeleton/skeleton.ts";
 import type { Foot, StepCategory } from "../core/steps/types.ts";
 import type { GaitShape } from "./gait-shape.ts";
+import type { Phrase } from "./layers/phrase.ts";
 
 export interface ScoreStance {
   x: number;
@@ -176,6 +177,8 @@ export interface Actor {
   /** Pace and mood where they are not the default. */
   pace?: Partial<Pace>;
   mood?: Partial<Mood>;
+  /** What goes on over several strides. */
+  phrase?: Phrase;
   /** The gait's shape, where it is not that of the pace's speed. */
   shape?: GaitShape;
 }

@@ -2,6 +2,7 @@
 import { createSkeleton, DEFAULT_PROPORTIONS } from "../core/skeleton/skeleton.ts";
 import { straightScore } from "./choreography/straight.ts";
 import { BOUNCING } from "./gait-shapes.ts";
+import type { Phrase } from "./layers/phrase.ts";
 import { paceAt, runAt } from "./pace.ts";
 import type { Layer, Mood, Score } from "./score.ts";
 
@@ -22,6 +23,8 @@ export interface WalkSettings {
   noise: number;
   seed: number;
   bouncing: boolean;
+  /** What goes on over several strides; null for nothing. */
+  phrase: Phrase | null;
   without: readonly Layer[];
 }
 
@@ -53,6 +56,7 @@ export function walkScore(s: WalkSettings): Score {
       },
       mood: s.mood,
       ...(s.bouncing && !s.run ? { shape: BOUNCING } : {}),
+      ...(s.phrase ? { phrase: s.phrase } : {}),
     },
     steps,
     start: { x: -((steps + 1.4) * length * scale) / 2, z: 0, yaw: Math.PI / 2 },

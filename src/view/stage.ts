@@ -34,7 +34,6 @@ import { Figure } from "./character/figure.ts";
 import type { Guest } from "./character/guest.ts";
 import { type Footprint, FootprintLayer, type FootprintMode } from "./footprints.ts";
 import { FrameBudget } from "./frame-budget.ts";
-import { PathLines } from "./path-lines.ts";
 import { boxMesh, createProp } from "./props.ts";
 import { createRoom, type Room } from "./room.ts";
 import { ROOMS, type Theme } from "./tokens.ts";
@@ -53,7 +52,6 @@ export class Stage {
   readonly camera = new PerspectiveCamera(26, 1, 0.1, 60);
   private readonly controls: OrbitControls;
   private readonly room: Room;
-  private readonly paths = new PathLines();
   private readonly footprints = new FootprintLayer();
   private figure: Figure | null = null;
   private guest: Guest | null = null;
@@ -93,7 +91,7 @@ export class Stage {
     this.controls.update();
     this.controls.addEventListener("change", () => this.invalidate());
     this.room = createRoom(this.scene, this.renderer);
-    this.scene.add(this.props, this.taskMarks, this.paths.group, this.footprints.group);
+    this.scene.add(this.props, this.taskMarks, this.footprints.group);
     this.setTheme("light");
     canvas.addEventListener("webglcontextrestored", () => {
       this.room.relight();
@@ -131,7 +129,6 @@ export class Stage {
 
   /** Furniture of a scene and the rings under its tasks; `selected` names tasks. */
   setScene(scene: Scene, selected: readonly string[]): void {
-    this.paths.set(scene.paths);
     this.props.clear();
     const lifted = scene.tasks.filter((t) => t.category === "lift");
     for (const p of scene.props) {
@@ -221,6 +218,7 @@ export class Stage {
         this.scene.remove(before.group);
         before.dispose();
       }
+      figure.group.visible = this.guest === null;
       // A newer one takes this one's place when it is ready.
       figure.group.visible = this.guest === null && this.figureShown;
       this.scene.add(figure.group);
@@ -454,7 +452,6 @@ export class Stage {
   }
 
   dispose(): void {
-    this.budget.dispose();
     cancelAnimationFrame(this.waiting);
     this.controls.dispose();
     this.room.dispose();

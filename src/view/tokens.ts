@@ -92,15 +92,3 @@ export const SHOES = {
   rightHeel: "#a0763f",
   rightToe: "#dcb981",
 } as const;
-
-/** Colour of each style along a path; a style of the user's own is grey. */
-const STYLE_COLOURS: Record<string, string> = {
-  walking: "#5b7d93",
-  jogging: "#c8452f",
-  excited: "#e0a21b",
-  balancing: "#3f8f7a",
-  distressed: "#7a4a9c",
-  energetic: "#d7652f",
-  tired: "#4a5f8a",
-};
-export const styleColour = (style: string): string => STYLE_COLOURS[style] ?? "#77828e";

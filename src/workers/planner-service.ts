@@ -15,6 +15,8 @@ import type { Scene } from "../core/scene/types.ts";
 import { JOINT_COUNT } from "../core/skeleton/joints.ts";
 import { createSkeleton, type Skeleton } from "../core/skeleton/skeleton.ts";
 import type { StrideFamily } from "../core/styles/family.ts";
+import { planPaths } from "../core/styles/plan-paths.ts";
+import { storyOf } from "../core/styles/story.ts";
 import { goalsOf, planScene } from "../core/tasks/plan-scene.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
 import type { TaskGoal } from "../core/tasks/transition.ts";
@@ -23,7 +25,7 @@ import { decodeLibrary } from "../core/templates/library-file.ts";
 import { retargetLibrary } from "../core/templates/retarget-library.ts";
 import type { Library } from "../core/templates/types.ts";
 import { cyclicSources } from "../studio/blend-library.ts";
-import { styleFamilies } from "../studio/style-families.ts";
+import { PathPlanner } from "./path-planner.ts";
 import type { PlannerRequest, PlannerResponse } from "./protocol.ts";
 
 /** Frames made between two looks at the inbox, in a worker. */
@@ -78,9 +80,10 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
   const characters = new Map<string, Character>();
   /** The plan that each asker plays, by `client`. */
   const played = new Map<number, Playing>();
-  let families: { key: string; byStyle: Map<string, StrideFamily> } | null = null;
   let cycles: CyclicSource[] | null = null;
   let blends: { key: string; library: BlendLibrary } | null = null;
+  const paths = new PathPlanner();
+  let told = false;
   let newest: PlanRequest | null = null;
   let busy = false;
 
@@ -96,7 +99,6 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     if (!loaded) return;
     base = own ? mergeLibraries([loaded, own]) : loaded;
     characters.clear();
-    families = null;
     post({
       type: "ready",
       templates: base.templates.length,
@@ -122,14 +124,22 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     return character;
   }
 
-  /** The styles named, fitted to a character and kept until there is another. */
-  function familiesFor(key: string, skeleton: Skeleton, styles: string[]): ReadonlyMap<string, StrideFamily> {
-    if (families?.key !== key) families = { key, byStyle: new Map() };
-    const { byStyle } = families;
-    const missing = styles.filter((style) => !byStyle.has(style));
-    for (const [style, family] of styleFamilies(missing, skeleton)) byStyle.set(style, family);
-    return byStyle;
-  }
+  /** The strides of a scene's styles, built ahead and kept; null when a newer request has come meanwhile. */
+  const familiesOf = (
+    request: PlanRequest,
+    skeleton: Skeleton,
+    key: string,
+  ): Promise<ReadonlyMap<string, StrideFamily> | null> =>
+    paths.families(
+      request.scene,
+      skeleton,
+      key,
+      (style, done, of) => post({ type: "families", id: request.id, style, done, of }),
+      async () => {
+        await pause();
+        return newest === request;
+      },
+    );
 
   /** The clips that steps on stones are blended of, baked for a character. */
   function blendsFor(key: string, skeleton: Skeleton): BlendLibrary {
@@ -144,19 +154,36 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     const skeleton = createSkeleton(scene.character.height, scene.character.proportions);
     const begun = performance.now();
     const { key, library, cache } = libraryFor(scene);
-    const { plan, clip, contacts, boxes, ink } = planWhole(
-      scene,
-      skeleton,
-      {
-        library: () => library,
-        families: (styles) => familiesFor(key, skeleton, styles),
-        blends: () => blendsFor(key, skeleton),
-        cache,
-      },
-      { lambda4: request.lambda4 ?? 0, trace: true },
-    );
+    const families = await familiesOf(request, skeleton, key);
+    if (!families) {
+      post({ type: "dropped", id: request.id });
+      return;
+    }
+    const alone = scene.paths.length > 0 && scene.tasks.length === 0 && scene.stones.length === 0;
+    const walk = alone ? planPaths(scene, skeleton, families, request.paths ?? {}) : null;
+    const { plan, clip, contacts, boxes, ink } = walk
+      ? { plan: walk.plan, clip: walk.motion.clip, contacts: walk.motion.contacts, boxes: [], ink: [] }
+      : planWhole(
+          scene,
+          skeleton,
+          {
+            library: () => library,
+            families: () => families,
+            blends: () => blendsFor(key, skeleton),
+            cache,
+          },
+          { lambda4: request.lambda4 ?? 0, trace: true, paths: request.paths ?? {} },
+        );
     played.delete(request.client);
-    post({ type: "planned", id: request.id, plan, planMs: performance.now() - begun, frames: clip.frames });
+    const planMs = performance.now() - begun;
+    post({
+      type: "planned",
+      id: request.id,
+      plan,
+      planMs,
+      frames: clip.frames,
+      ...(walk ? { story: storyOf(walk) } : {}),
+    });
     await pause();
     const started = performance.now();
     const chunks: MotionChunk[] = [];
@@ -180,6 +207,11 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     const motionMs = performance.now() - started;
     const quality = measureMotion(skeleton, chunks, clip.frames, plan, goalsOf(scene));
     post({ type: "finished", id: request.id, boxes, ink, quality, motionMs });
+    if (scene.paths.length === 0) return;
+    await pause();
+    if (told || newest !== request) return;
+    told = true;
+    post({ type: "styles", facts: paths.shippedFacts() });
   }
 
   async function answer(request: PlanRequest): Promise<void> {
@@ -272,6 +304,20 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
         if (newest && busy && newest.id !== message.id) post({ type: "overtaken", id: newest.id });
         newest = message;
         void work();
+        break;
+      case "style":
+        try {
+          post({ type: "style", facts: paths.addStyle(message.name, message.file, message.text) });
+        } catch (error) {
+          post({
+            type: "style-failed",
+            name: message.name,
+            message: error instanceof Error ? error.message : String(error),
+          });
+        }
+        break;
+      case "forget-style":
+        paths.forgetStyle(message.name);
         break;
       case "own":
         try {

@@ -7,6 +7,9 @@
  */
 import type { BoxTrack, InkStroke, MotionChunk, QualityFigures } from "../core/motion/types.ts";
 import type { Scene } from "../core/scene/types.ts";
+import type { PathStory } from "../core/styles/story.ts";
+import type { PathOptions } from "../core/styles/synthesise-path.ts";
+import type { StyleFacts } from "../core/styles/user-style.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
 
 export type PlannerRequest =
@@ -25,8 +28,13 @@ export type PlannerRequest =
       fromFrame: number;
       /** For stones: 0 follows the footsteps, 1 the root alone [Barycentric §5]; left out: 0. */
       lambda4?: number;
+      /** Enhancements of walks along paths that are switched off or on; what is left out is on. */
+      paths?: Partial<PathOptions>;
     }
   | { type: "cancel"; id: number }
+  /** A straight sample as BVH becomes a style of that name for all later plans. Answered by `style` or `style-failed`. */
+  | { type: "style"; name: string; file: string; text: string }
+  | { type: "forget-style"; name: string }
   /** First: where the library is, or its bytes. Answered by `ready` or `failed` with id 0. */
   | { type: "load"; url: string }
   | { type: "load"; bytes: Uint8Array }
@@ -41,7 +49,16 @@ export type PlannerResponse =
       plan: Plan;
       planMs: number /** Frames of the whole motion. */;
       frames: number;
+      /** What happens along the paths, where there are any. */
+      story?: PathStory;
     }
+  /** Loops with shorter strides are being built ahead, one style after the other: members done of how many. */
+  | { type: "families"; id: number; style: string; done: number; of: number }
+  /** A sample has become a style. */
+  | { type: "style"; facts: StyleFacts }
+  /** The styles that ship, once after the first walk. */
+  | { type: "styles"; facts: StyleFacts[] }
+  | { type: "style-failed"; name: string; message: string }
   | { type: "motion"; id: number; chunk: MotionChunk }
   | {
       type: "finished";

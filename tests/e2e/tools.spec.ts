@@ -126,7 +126,8 @@ test("every control is reached by keyboard, in order, with a name; the sheet lis
     const name = await page.evaluate(() => {
       const e = document.activeElement;
       if (!e || e === document.body) return null;
-      return `${e.tagName} ${e.getAttribute("aria-label") ?? e.textContent?.trim() ?? ""}`;
+      const label = (e as HTMLInputElement).labels?.[0]?.textContent;
+      return `${e.tagName} ${e.getAttribute("aria-label") ?? (label || e.textContent)?.trim() ?? ""}`;
     });
     if (name === null) break;
     seen.push(name);
@@ -142,7 +143,6 @@ test("every control is reached by keyboard, in order, with a name; the sheet lis
     "Path",
     "Play",
     "Loop",
-    "Size of the panel",
     "Size of the timeline",
     "Task 1: Write",
     "Height",

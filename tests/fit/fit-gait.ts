@@ -137,8 +137,12 @@ function look(recipe: Recipe, shape: GaitShape): Look | null {
     clip.frames,
   );
   const nothing = { tasks: [] } as unknown as Plan;
-  const level = [new Float64Array(clip.frames), new Float64Array(clip.frames)] as const;
-  return { gait, turning, balance: balanceShares(points, clip.skeleton, nothing, [], level).near ?? 0 };
+  const level = new Float64Array(clip.frames);
+  return {
+    gait,
+    turning,
+    balance: balanceShares(points, clip.skeleton, nothing, [], [level, level]).near ?? 0,
+  };
 }
 
 function residuals(recipe: Recipe, shape: GaitShape, x: Float64Array): number[] | null {

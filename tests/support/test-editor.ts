@@ -33,6 +33,7 @@ export function createTestEditor(scene: Scene = defaultScene()): TestEditor {
     registry,
     stage: {
       setOrbit: nothing,
+      invalidate: nothing,
       levelPoint: (x: number, y: number): [number, number] => [x / PIXELS, y / PIXELS],
       project: (x: number, _: number, z: number) => ({ x: x * PIXELS, y: z * PIXELS, visible: true }),
     },

@@ -1,5 +1,4 @@
 /** One broken input a guard, with the sentence that is said: fuzzing finds new ones, these stay found. */
-import { deflateSync, inflateSync, strFromU8, strToU8 } from "fflate";
 import { describe, expect, it } from "vitest";
 import { writeBvh } from "../../src/core/capture/bvh-write.ts";
 import { importBvh } from "../../src/core/capture/import.ts";
@@ -14,6 +13,7 @@ import { buildLibrary } from "../../src/core/templates/build-library.ts";
 import { decodeLibrary, encodeLibrary } from "../../src/core/templates/library-file.ts";
 import { renderScore } from "../../src/studio/render.ts";
 import { studioSet } from "../../src/studio/set.ts";
+import { headOf, repacked } from "../support/packed.ts";
 
 const { clip, contacts, sidecar } = renderScore(studioSet()[0].score);
 const short = {
@@ -25,20 +25,6 @@ const short = {
 const bvh = writeBvh(short);
 const library = encodeLibrary(buildLibrary([{ name: "one", clip, tasks: sidecar.tasks }]));
 const model = encodeOracle(trainOracle([{ track: trackOf(short), labels: contacts.slice(0, 30) }]));
-
-/** A file of magic, length, deflated head, body: its head or its body changed. */
-function changed(bytes: Uint8Array, head: (text: string) => string, body: (raw: Uint8Array) => Uint8Array) {
-  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(4, true);
-  const json = deflateSync(strToU8(head(strFromU8(inflateSync(bytes.subarray(8, 8 + length))))));
-  const rest = deflateSync(body(inflateSync(bytes.subarray(8 + length))));
-  const out = new Uint8Array(8 + json.length + rest.length);
-  out.set(bytes.subarray(0, 4));
-  new DataView(out.buffer).setUint32(4, json.length, true);
-  out.set(json, 8);
-  out.set(rest, 8 + json.length);
-  return out;
-}
-const same = <T>(x: T): T => x;
 
 describe("bad input", () => {
   it("BVH: a number that is none", () => {
@@ -87,12 +73,12 @@ describe("bad input", () => {
   });
 
   it("library: a head with a step outside of the schema", () => {
-    const bytes = changed(library, (h) => h.replace('"height":1.75', '"height":"tall"'), same);
+    const bytes = repacked(library, headOf(library).replace('"height":1.75', '"height":"tall"'));
     expect(() => decodeLibrary(bytes)).toThrow(/^library: .*clips\.0\.height/);
   });
 
   it("contact model: a value that is no number", () => {
-    const bytes = changed(model, same, (raw) => {
+    const bytes = repacked(model, headOf(model), (raw) => {
       const out = raw.slice();
       new DataView(out.buffer).setFloat32(8, Number.NaN, true);
       return out;

@@ -2,7 +2,6 @@
 
 import { readFileSync } from "node:fs";
 import fc from "fast-check";
-import { deflateSync, inflateSync, strFromU8, strToU8 } from "fflate";
 import { describe, it } from "vitest";
 import { writeBvh } from "../../src/core/capture/bvh-write.ts";
 import type { Clip } from "../../src/core/capture/clip.ts";
@@ -28,6 +27,7 @@ import {
   limit,
   survives,
 } from "../support/fuzz.ts";
+import { headOf, repacked } from "../support/packed.ts";
 
 const short = (clip: Clip, frames: number): Clip => ({
   ...clip,
@@ -71,24 +71,6 @@ const CASE = `<?xml version="1.0"?>
     <goalSequence><seekAxisAlignedBoxRegion><goalRegionBounds><xmin>-12</xmin><xmax>-11</xmax><ymin>0</ymin><ymax>0</ymax><zmin>0</zmin><zmax>1</zmax></goalRegionBounds></seekAxisAlignedBoxRegion></goalSequence></agent>
 </SteerBenchTestCase>
 `;
-
-/** A file of magic, length, deflated head and deflated body with another head. */
-function withHead(bytes: Uint8Array, head: string): Uint8Array {
-  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(4, true);
-  const json = deflateSync(strToU8(head));
-  const rest = bytes.subarray(8 + length);
-  const out = new Uint8Array(8 + json.length + rest.length);
-  out.set(bytes.subarray(0, 4));
-  new DataView(out.buffer).setUint32(4, json.length, true);
-  out.set(json, 8);
-  out.set(rest, 8 + json.length);
-  return out;
-}
-
-function headOf(bytes: Uint8Array): string {
-  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(4, true);
-  return strFromU8(inflateSync(bytes.subarray(8, 8 + length)));
-}
 
 /** A property over broken inputs, and the sound one first. */
 function fuzz<T>(inputs: fc.Arbitrary<T>, sound: T, runs: number, check: (input: T) => void): void {
@@ -167,7 +149,7 @@ describe("broken files", () => {
       fuzz(
         fc.oneof(
           brokenBytes(LIBRARY),
-          brokenJson(headOf(LIBRARY)).map((h) => withHead(LIBRARY, h)),
+          brokenJson(headOf(LIBRARY)).map((h) => repacked(LIBRARY, h)),
           fc.uint8Array(),
         ),
         LIBRARY,
@@ -190,7 +172,7 @@ describe("broken files", () => {
       fuzz(
         fc.oneof(
           brokenBytes(MODEL),
-          brokenJson(headOf(MODEL)).map((h) => withHead(MODEL, h)),
+          brokenJson(headOf(MODEL)).map((h) => repacked(MODEL, h)),
           fc.uint8Array(),
         ),
         MODEL,

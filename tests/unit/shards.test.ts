@@ -8,6 +8,8 @@ import { writeBvh } from "../../src/core/capture/bvh-write.ts";
 import { renderScore } from "../../src/studio/render.ts";
 import { studioSet } from "../../src/studio/set.ts";
 
+const hasParallel = /GNU/.test(String(spawnSync("parallel", ["--version"]).stdout ?? ""));
+if (!hasParallel) console.warn("GNU parallel is not installed: its lines of docs/scale.md are not run.");
 const CLI = ["src/cli/launch.mjs"];
 const folder = mkdtempSync(join(tmpdir(), "stepwright-shards-"));
 const clips = join(folder, "clips");
@@ -51,6 +53,29 @@ describe("library in pieces", () => {
       expect(readFileSync(merged).equals(whole)).toBe(true);
     }
   }, 120_000);
+
+  it.skipIf(!hasParallel)(
+    "GNU parallel, as docs/scale.md has it, gives the same bytes",
+    () => {
+      const doc = readFileSync("docs/scale.md", "utf8");
+      const lines = /## GNU parallel\n\n```\n([\s\S]*?)```/.exec(doc)?.[1] ?? "";
+      expect(lines).toContain("parallel --halt");
+      const pieces = at("pieces");
+      mkdirSync(pieces);
+      // The page's own lines, with this machine's folders and fewer pieces.
+      const script = lines
+        .replace(/N=\d+/, "N=3")
+        .replaceAll("npm run -s cli --", "node src/cli/launch.mjs")
+        .replaceAll("--clips captures", `--clips ${clips} --method both`)
+        .replaceAll("pieces/", `${pieces}/`)
+        .replace("--joblog pieces.log", `--joblog ${at("pieces.log")}`)
+        .replace("--out library.bin", `--out ${at("library.bin")}`);
+      const done = spawnSync("sh", ["-ec", script], { encoding: "utf8" });
+      expect(done.status, done.stderr).toBe(0);
+      expect(readFileSync(at("library.bin")).equals(readFileSync(at("whole.bin")))).toBe(true);
+    },
+    120_000,
+  );
 
   it("a piece given twice, a broken one and a wrong number are refused", async () => {
     const whole = at("whole.bin");

@@ -181,8 +181,10 @@ function footOnToe(
   const own = lateral.map((x, k) => x - along * d[k]);
   const n = Math.hypot(own[0], own[1], own[2]) || 1;
   const u = Math.max(0, Math.min(1, (0.75 - level) / 0.45));
-  const steep = u * u * (3 - 2 * u);
   const flat = level > 1e-6 ? [(side * d[2]) / level, 0, (-side * d[0]) / level] : [0, 0, 0];
+  // A toe that hangs sideways under the ankle has a heading across the shank, which turns round as it passes: not believed.
+  const agree = Math.max(0, Math.min(1, (2 * (flat[0] * own[0] + flat[2] * own[2])) / n));
+  const steep = 1 - (1 - u * u * (3 - 2 * u)) * agree * agree * (3 - 2 * agree);
   const x = [0, 1, 2].map((k) => (1 - steep) * flat[k] + (steep * own[k]) / n);
   const m = Math.hypot(x[0], x[1], x[2]) || 1;
   for (let k = 0; k < 3; k++) x[k] /= m;
@@ -191,7 +193,8 @@ function footOnToe(
   quatFromAxisAngle(turned, 0, 1, 0, 0, rest);
   quatMultiply(rotations, o, rotations, o, turned, 0);
   quatNormalize(rotations, o);
-  const slope = Math.atan2(d[1], side * level);
+  const across = Math.hypot(x[0], x[2]) || 1;
+  const slope = Math.atan2(d[1], (x[0] * d[2] - x[2] * d[0]) / across);
   return (slope > Math.PI / 2 ? slope - 2 * Math.PI : slope) - rest;
 }
 

@@ -11,6 +11,7 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Footstep } from "../steps/types.ts";
 import type { StrideFamily } from "../styles/family.ts";
 import { planPaths, stylesOf } from "../styles/plan-paths.ts";
+import type { PathOptions } from "../styles/synthesise-path.ts";
 import { standingFeet } from "../tasks/plan.ts";
 import { goalsOf, planScene } from "../tasks/plan-scene.ts";
 import type { Library } from "../templates/types.ts";
@@ -31,6 +32,8 @@ export interface WholeSources {
 export interface WholeOptions {
   /** Steps on stones: 0 on them, 1 by the root's velocity [Barycentric §5]. */
   lambda4?: number;
+  /** How paths are walked: refinements left out, and so on. */
+  paths?: Partial<PathOptions>;
   /** Whether to record the optimiser's terms. */
   trace?: boolean;
 }
@@ -106,7 +109,7 @@ export function planWhole(
       add(doTasks(risen, skeleton, sources, standing, null, options));
       return;
     }
-    const { plan, motion } = planPaths(part, skeleton, sources.families(stylesOf(part)));
+    const { plan, motion } = planPaths(part, skeleton, sources.families(stylesOf(part)), options.paths ?? {});
     if (standing) add(doTasks(partOf(scene, []), skeleton, sources, standing, plan.start, options));
     const walk = { plan, clip: motion.clip, contacts: motion.contacts, boxes: [], ink: [] };
     const there = whole ? standingAfter(whole) : null;

@@ -184,6 +184,22 @@ export function paintPath(scene: Scene, id: string, styles: readonly { at: numbe
   return { ...scene, paths: scene.paths.map((p) => (p.id === id ? { ...p, styles: sorted } : p)) };
 }
 
+/** Whether a path's points are joined by a smooth curve or by straight lines. */
+export function smoothPath(scene: Scene, id: string, smooth: boolean): Scene {
+  return { ...scene, paths: scene.paths.map((p) => (p.id === id ? { ...p, smooth } : p)) };
+}
+
+/** A path walked from its other end, each stretch in the style that it had. */
+export function reversePath(scene: Scene, id: string): Scene {
+  const paths = scene.paths.map((p) => {
+    if (p.id !== id) return p;
+    const spans = p.styles[0]?.at === 0 ? p.styles : [{ at: 0, style: "walking" }, ...p.styles];
+    const styles = spans.map((s, i) => ({ at: 1 - (spans[i + 1]?.at ?? 1), style: s.style })).reverse();
+    return { ...p, points: [...p.points].reverse(), styles };
+  });
+  return { ...scene, paths };
+}
+
 /** A path taken away. */
 export function removePath(scene: Scene, id: string): Scene {
   return {

@@ -18,8 +18,8 @@ const ROUNDS = 3;
 /** No frame asks for more in a round, metres. */
 const MOST = 0.14;
 /** The hips leave the sample's own way by no more than this, along and across the path, metres. */
-const MOST_ALONG = 0.1;
-const MOST_ACROSS = 0.032;
+const MOST_ALONG = 0.09;
+const MOST_ACROSS = 0.03;
 /** Softness over time, frames. */
 const SOFT = 2.5;
 /** Half widths of the sole under heel, ball and tip, as shares of the distance from ankle to ball. */
@@ -33,7 +33,7 @@ const hull = createHull(12);
 /**
  * Shifts a clip's hips; the feet stay.
  *
- * @param contacts contact bits a frame; @param heading of the path a frame, radians.
+ * @param contacts contact bits a frame; @param heading of the path itself a frame, radians.
  * @param closeLegs closes the legs on the feet after each shift.
  */
 export function balanceOnPath(

@@ -1,4 +1,5 @@
 /** How long a change of style takes [Express §6.2], so that no end effector has to hurry. */
+import { frameOfPhase } from "./gait-phase.ts";
 import type { LoopSequence } from "./loop.ts";
 import { loopRow } from "./loop.ts";
 import { EFFECTOR_COUNT, EFFECTORS, ROW } from "./rows.ts";
@@ -45,4 +46,26 @@ export function blendLength(from: LoopSequence, a: number, to: LoopSequence, b: 
   const longest = Math.max(from.frames, to.frames);
   const frames = Math.min(longest, Math.max(SHORTEST * RATE, pace > 1e-9 ? gap / pace : longest));
   return { frames, effector, gap, pace };
+}
+
+/**
+ * The blend from a phase of one loop to the other: joined at the stride of the other, at the same place within the stride,
+ * whose pose is nearest.
+ *
+ * @param phase strides passed in `from`, fractional. @returns the stride of `to`, its frame there, and the length.
+ */
+export function blendAt(
+  from: LoopSequence,
+  phase: number,
+  to: LoopSequence,
+): { stride: number; frame: number; length: BlendLength } {
+  const a = frameOfPhase(from.phases, phase);
+  const u = phase - Math.floor(phase);
+  let best = { stride: 0, frame: 0, length: blendLength(from, a, to, frameOfPhase(to.phases, u)) };
+  for (let stride = 0; stride < to.strides; stride++) {
+    const frame = frameOfPhase(to.phases, stride + u);
+    const length = blendLength(from, a, to, frame);
+    if (stride === 0 || length.gap < best.length.gap) best = { stride, frame, length };
+  }
+  return best;
 }

@@ -6,6 +6,7 @@
  * that takes over place and speed at both ends.
  */
 import { wrapAngle } from "../math/angle.ts";
+import { smoothstep, softEnvelope } from "../math/interpolate.ts";
 import { contactsOfPitch, plantedAnkle } from "../motion/sole.ts";
 import type { FootShape } from "../skeleton/skeleton.ts";
 import type { Foot } from "../steps/types.ts";
@@ -19,10 +20,14 @@ export interface FeetTrack {
   /** Toe up positive. */
   pitch: Float64Array;
   toeBend: Float64Array;
+  /** What of the foot's rotation yaw and pitch leave out: a rotation vector in its own frame, 3 a foot. */
+  tilt: Float64Array;
   /** Bit a foot. */
   down: Uint8Array;
   /** Standing still in its final place (1) or moving. */
   still: Uint8Array;
+  /** Starting or stopping (1) or at full stride. */
+  slow: Uint8Array;
   /** Out: ankle joints, x, y, z. */
   ankle: Float64Array;
   contacts: Uint8Array;
@@ -46,8 +51,10 @@ export function createFeetTrack(frames: number): FeetTrack {
     yaw: new Float64Array(2 * frames),
     pitch: new Float64Array(2 * frames),
     toeBend: new Float64Array(2 * frames),
+    tilt: new Float64Array(6 * frames),
     down: new Uint8Array(frames),
     still: new Uint8Array(frames),
+    slow: new Uint8Array(frames),
     ankle: new Float64Array(6 * frames),
     contacts: new Uint8Array(frames),
   };
@@ -57,6 +64,11 @@ export function createFeetTrack(frames: number): FeetTrack {
 const FLAT = 0.12;
 /** Clearance of a swinging sole, metres at a leg of 0.93 m. */
 const CLEAR = 0.008;
+/** A foot that would scrape is raised over so many frames either side; in the first and last share of its way it is not. */
+const LIFT_OVER = 6;
+const LIFT_ENDS = 5;
+/** Its tilt comes and goes over such a share of its way: the inverse. */
+const TILT_ENDS = 4;
 /** Largest speed difference that the way between plants takes over, metres a frame. */
 const MOST_SPEED = 0.012;
 
@@ -159,7 +171,10 @@ export function constrainFeet(
         for (let k = 0; k < 3; k++) shift[s + k] = out[k] - track.ankle[p + k];
         shift[s + 3] = wrapAngle(plant.yaw - track.yaw[i]);
         shift[s + 4] = plantBend - track.toeBend[i];
-        for (let k = 0; k < 3; k++) track.ankle[p + k] = out[k];
+        for (let k = 0; k < 3; k++) {
+          track.ankle[p + k] = out[k];
+          track.tilt[p + k] = 0;
+        }
         track.yaw[i] += shift[s + 3];
         track.toeBend[i] = plantBend;
         track.contacts[f] |= contactsOfPitch(track.pitch[i]) << (2 * side);
@@ -168,6 +183,57 @@ export function constrainFeet(
     for (let k = 0; k <= own.length; k++)
       swing(track, side, k > 0 ? own[k - 1] : null, own[k] ?? null, shift, shape, leg);
   }
+}
+
+/**
+ * A foot this near to where it will rest, or has rested, rests there already: across and over the ground, metres. One that
+ * stays for a while just over its place, at a stop, was put down there long ago.
+ */
+const RESTS_ACROSS = 0.006;
+const RESTS_OVER = 0.008;
+const HOVERS_OVER = 0.022;
+const HOVERS_FOR = 6;
+/** A plant grows by so many frames at most, at either end. */
+const MOST_GROWTH = 45;
+
+/**
+ * At starts and stops plants grow over the frames in which the constrained foot is as good as in its place: what stands on the
+ * ground is claimed.
+ *
+ * @param plants from `findPlants`, changed in place. @returns whether any grew: the feet are to be constrained anew.
+ */
+export function growPlants(track: FeetTrack, plants: readonly StylePlant[]): boolean {
+  let grown = false;
+  for (const plant of plants) {
+    const side = plant.foot === "left" ? 0 : 1;
+    const bit = 1 << side;
+    const free = (f: number) => f >= 0 && f < track.frames && (track.down[f] & bit) === 0;
+    /** Frames from `rest` on, in one direction, that are near to it. */
+    const frames = (rest: number, way: 1 | -1, over: number): number => {
+      let n = 0;
+      const b = 6 * rest + 3 * side;
+      const { ankle } = track;
+      // One frame of air is left to a neighbour that stands.
+      while (n < MOST_GROWTH && free(rest + way * (n + 2))) {
+        const a = b + 6 * way * (n + 1);
+        const across = Math.hypot(ankle[a] - ankle[b], ankle[a + 2] - ankle[b + 2]);
+        if (across > RESTS_ACROSS || Math.abs(ankle[a + 1] - ankle[b + 1]) > over) break;
+        n++;
+      }
+      return n;
+    };
+    for (const way of [-1, 1] as const) {
+      const rest = way < 0 ? plant.from : plant.to - 1;
+      if (!track.slow[rest]) continue;
+      const hovers = frames(rest, way, HOVERS_OVER);
+      const n = hovers >= HOVERS_FOR ? hovers : frames(rest, way, RESTS_OVER);
+      for (let k = 1; k <= n; k++) track.down[rest + way * k] |= bit;
+      if (way < 0) plant.from -= n;
+      else plant.to += n;
+      grown ||= n > 0;
+    }
+  }
+  return grown;
 }
 
 /** The air between two plants; before the first or after the last, one end's displacement is kept. */
@@ -183,7 +249,7 @@ function swing(
   const last = before ? before.to - 1 : -1;
   const next = after ? after.from : track.frames;
   const length = next - last;
-  let lack = 0;
+  const need = new Float64Array(Math.max(0, length - 1));
   for (let f = last + 1; f < next; f++) {
     const u = (f - last) / length;
     const v = 1 - u;
@@ -204,17 +270,21 @@ function swing(
       else if (k === 3) track.yaw[i] += d;
       else track.toeBend[i] += d;
     }
-    const bump = Math.sin(Math.PI * u) ** 2;
     const wanted = CLEAR * (leg / 0.93) * Math.min(1, 6 * u, 6 * v);
     const low = track.ankle[p + 1] + lowestOf(shape, track.pitch[i], track.toeBend[i]);
-    if (bump > 0.1) lack = Math.max(lack, (wanted - low) / bump);
+    need[f - last - 1] = Math.max(0, wanted - low);
   }
+  // Raised where it would scrape, softly, and nowhere else.
+  const lift = softEnvelope(need, Math.max(2, Math.min(LIFT_OVER, length >> 2)));
   for (let f = last + 1; f < next; f++) {
     const u = (f - last) / length;
     const i = 2 * f + side;
     const p = 6 * f + 3 * side;
-    track.ankle[p + 1] += lack * Math.sin(Math.PI * u) ** 2;
-    // What the bump does not reach, near the ends: the toes give way, then the ankle.
+    // A resting foot is not tilted; in the air it is as in the sample.
+    const free = (before ? smoothstep(TILT_ENDS * u) : 1) * (after ? smoothstep(TILT_ENDS * (1 - u)) : 1);
+    for (let k = 0; k < 3; k++) track.tilt[p + k] *= free;
+    track.ankle[p + 1] += lift[f - last - 1] * smoothstep(LIFT_ENDS * u) * smoothstep(LIFT_ENDS * (1 - u));
+    // What this does not reach, near the ends: the toes give way, then the ankle.
     const heelAndBall = track.ankle[p + 1] + lowestOf(shape, track.pitch[i], 1);
     if (heelAndBall < 0) track.ankle[p + 1] -= heelAndBall;
     for (let k = 0; k < 8; k++) {

@@ -14,6 +14,9 @@ export const KEY_PHASES = [0.19, 0.31, 0.69, 0.81] as const;
 const KNOTS = 5;
 const KNOT_PHASES = [0, ...KEY_PHASES, 1];
 
+/** Shortest span of both feet or neither, frames: where a walk hardly has one, time must not race through it. */
+const LEAST_SPAN = 2.5;
+
 /** The four plant boundaries of a stride as phases in [0, 1). A walk lands before it lifts, a run lifts before. */
 export interface ContactPhases {
   leftLift: number;
@@ -46,6 +49,8 @@ export function createPhaseMap(
   const at = new Float64Array(n + 1);
   boundaries.forEach((b, i) => {
     const keys = [Math.min(b[0], b[1]), Math.max(b[0], b[1]), Math.min(b[2], b[3]), Math.max(b[2], b[3])];
+    spread(keys, 0);
+    spread(keys, 2);
     let before = starts[i];
     at[KNOTS * i] = before;
     for (let k = 0; k < 4; k++) {
@@ -73,6 +78,14 @@ export function createPhaseMap(
     slope[i] = (3 * (h0 + h1)) / ((2 * h1 + h0) / secant(i - 1) + (h1 + 2 * h0) / secant(i));
   }
   return { strides, frames: starts[strides], at, slope };
+}
+
+/** Two keys that fall together are set apart about their middle. */
+function spread(keys: number[], k: number): void {
+  const lack = LEAST_SPAN - (keys[k + 1] - keys[k]);
+  if (lack <= 0) return;
+  keys[k] -= lack / 2;
+  keys[k + 1] += lack / 2;
 }
 
 function knotOf(phase: number): number {

@@ -88,10 +88,12 @@ export function cutLoop(clip: Clip, name: string, steps: number | null = null): 
     throw new StyleError(
       `${name}: the sample moves ${(line.speed * clip.rate).toFixed(2)} m/s, 0.05 are needed.`,
     );
-  const rows = new Float64Array(ROW * frames);
-  for (let f = 0; f < frames; f++) rowOf(rows, ROW * f, clip, from + f, line);
-  closeLoop(rows, clip, to, blended, line);
-  preBlend(rows, clip, to, blended, line);
+  // The loop, and what follows it in the sample as far as it is blended into its beginning.
+  const sample = new Float64Array(ROW * (frames + blended));
+  for (let f = 0; f < frames + blended; f++) rowOf(sample, ROW * f, clip, from + f, line);
+  closeLoop(sample, frames, clip, from, line);
+  const rows = sample.slice(0, ROW * frames);
+  preBlend(rows, sample.subarray(ROW * frames), blended);
   const boundaries = own.map((s): [number, number, number, number] => [
     s.left.to - from,
     s.right.from - from,
@@ -152,52 +154,74 @@ function referenceLine(clip: Clip, from: number, to: number, blended: number): R
 
 /** Windows at least this long bridge the joint alone, frames. */
 const ENOUGH = 24;
+/** Frames over which the speed on either side of the joint is taken. */
+const SPEED_OVER = 3;
 
 /**
- * What the joint lacks, spread over the whole loop: a run's plants leave pre-blending only a few frames, too few to bridge
- * two strides that differ. Not in the paper; long plants leave nothing to it.
+ * What the joint lacks in place and in speed, spread over the whole loop: a run's plants leave pre-blending only a few frames,
+ * too few to bridge two strides that differ. Not in the paper; long plants leave nothing to it.
+ *
+ * @param rows the loop's frames and what follows them, changed in place.
  */
-function closeLoop(rows: Float64Array, clip: Clip, to: number, blended: number, line: ReferenceLine): void {
-  const share = Math.max(0, 1 - blended / ENOUGH);
-  const frames = rows.length / ROW;
-  if (share === 0 || to >= clip.frames) return;
-  const after = new Float64Array(ROW);
-  rowOf(after, 0, clip, to, line);
-  const lack = new Float64Array(ROW);
-  for (let k = 0; k < ROW; k++) lack[k] = rows[k] - after[k];
-  for (let j = 0; j < QUAT_COUNT; j++)
-    quatInverseMultiply(lack, QUATS + 4 * j, after, QUATS + 4 * j, rows, QUATS + 4 * j);
+function closeLoop(rows: Float64Array, frames: number, clip: Clip, from: number, line: ReferenceLine): void {
+  const follow = rows.length / ROW - frames;
+  const share = Math.max(0, 1 - (follow / ENOUGH) ** 2);
+  const over = Math.min(SPEED_OVER, clip.frames - 1 - from - frames);
+  if (share === 0 || over < 1) return;
+  const row = (frame: number): Float64Array => {
+    const r = new Float64Array(ROW);
+    rowOf(r, 0, clip, frame, line);
+    return r;
+  };
+  const lack = difference(row(from), row(from + frames));
+  const start = difference(row(from + over), row(from));
+  const end = difference(row(from + frames + over), row(from + frames));
   const q = new Float64Array(8);
-  for (let f = 0; f < frames; f++) {
+  const change = new Float64Array(ROW);
+  for (let f = 0; f < frames + follow; f++) {
     // Half before the joint, half after it: the middle of the loop stays as captured.
-    const u = share * (f / frames - 0.5);
+    const u = f / frames - 0.5;
+    const bend = (0.5 * frames * (u * u - 0.25)) / over;
+    for (let k = 0; k < ROW; k++) change[k] = share * (u * lack[k] + bend * (start[k] - end[k]));
     const o = ROW * f;
-    for (let k = 0; k < ROW; k++) if (k < QUATS || k >= LEGS) rows[o + k] += u * lack[k];
+    for (let k = 0; k < ROW; k++) if (k < QUATS || k >= LEGS) rows[o + k] += change[k];
     for (let j = 0; j < QUAT_COUNT; j++) {
       const i = QUATS + 4 * j;
-      quatToRotationVector(q, 4, lack, i);
-      quatFromRotationVector(q, 0, u * q[4], u * q[5], u * q[6]);
+      quatFromRotationVector(q, 0, change[i], change[i + 1], change[i + 2]);
       quatMultiply(rows, o + i, rows, o + i, q, 0);
     }
   }
+}
+
+/** A row less another: rotations as rotation vectors in their first three places. */
+function difference(a: Float64Array, b: Float64Array): Float64Array {
+  const out = new Float64Array(ROW);
+  const q = new Float64Array(4);
+  for (let k = 0; k < ROW; k++) if (k < QUATS || k >= LEGS) out[k] = a[k] - b[k];
+  for (let j = 0; j < QUAT_COUNT; j++) {
+    const i = QUATS + 4 * j;
+    quatInverseMultiply(q, 0, b, i, a, i);
+    quatToRotationVector(out, i, q, 0);
+  }
+  return out;
 }
 
 /**
  * Pre-blending [Express §5.2, eqs. 1 and 2]: the frames after F_e pass into those after F_s. The hips' height is not mixed
  * but taken from the frames after F_e in the first half and from those after F_s in the second; where the paper's height
  * would jump in the middle, that difference is spread over the window.
+ *
+ * @param after the frames after F_e, `blended` of them.
  */
-function preBlend(rows: Float64Array, clip: Clip, to: number, blended: number, line: ReferenceLine): void {
-  const a = new Float64Array(ROW * blended);
-  for (let i = 0; i < blended; i++) rowOf(a, ROW * i, clip, to + i, line);
+function preBlend(rows: Float64Array, after: Float64Array, blended: number): void {
   const height = ROOT + 2;
   const half = blended / 2;
-  const jump = blended > 0 ? rows[ROW * half + height] - a[ROW * half + height] : 0;
+  const jump = blended > 0 ? rows[ROW * half + height] - after[ROW * half + height] : 0;
   for (let i = 0; i < blended; i++) {
     const w = 1 - (Math.cos(((i + 0.5) * Math.PI) / blended) / 2 + 0.5);
     const own = rows[ROW * i + height];
-    const y = i < half ? a[ROW * i + height] + jump * w : own - jump * (1 - w);
-    mixRows(rows, ROW * i, a, ROW * i, rows, ROW * i, w);
+    const y = i < half ? after[ROW * i + height] + jump * w : own - jump * (1 - w);
+    mixRows(rows, ROW * i, after, ROW * i, rows, ROW * i, w);
     rows[ROW * i + height] = y;
   }
 }

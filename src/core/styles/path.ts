@@ -70,6 +70,43 @@ export function smoothStroke(samples: readonly PathPoint[]): [number, number][] 
   return out;
 }
 
+/**
+ * Control points of a stroke: as few as keep within `tolerance` metres of it [Douglas and Peucker 1973], none farther apart than
+ * `most`, so that a drawn path can be bent afterwards.
+ */
+export function simplifyStroke(
+  stroke: readonly PathPoint[],
+  tolerance: number,
+  most: number,
+): [number, number][] {
+  const keep = new Uint8Array(stroke.length);
+  const visit = (a: number, b: number): void => {
+    const dx = stroke[b][0] - stroke[a][0];
+    const dz = stroke[b][1] - stroke[a][1];
+    const length = Math.hypot(dx, dz);
+    let worst = -1;
+    let far = tolerance;
+    for (let i = a + 1; i < b; i++) {
+      const px = stroke[i][0] - stroke[a][0];
+      const pz = stroke[i][1] - stroke[a][1];
+      const d = length > 1e-9 ? Math.abs(px * dz - pz * dx) / length : Math.hypot(px, pz);
+      if (d > far) {
+        far = d;
+        worst = i;
+      }
+    }
+    if (worst < 0 && length > most && b - a > 1) worst = (a + b) >> 1;
+    if (worst < 0) return;
+    keep[worst] = 1;
+    visit(a, worst);
+    visit(worst, b);
+  };
+  if (stroke.length > 2) visit(0, stroke.length - 1);
+  return stroke
+    .filter((_, i) => i === 0 || i === stroke.length - 1 || keep[i] === 1)
+    .map((p): [number, number] => [p[0], p[1]]);
+}
+
 /** Points `spacing` apart along a polyline, its ends included (the last gap is stretched to fit). */
 function resample(points: readonly PathPoint[], spacing: number): [number, number][] {
   const sums = [0];

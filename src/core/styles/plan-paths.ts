@@ -24,6 +24,8 @@ export interface PathPlan {
   path: MotionPath;
   /** Names of the styles used, in the order of `motion.timeline`'s indices. */
   styles: string[];
+  /** Where each of the scene's paths lies on the joined way, metres. */
+  spans: { id: string; from: number; to: number }[];
 }
 
 /** The scene's paths in playing order. */
@@ -96,7 +98,12 @@ export function planPaths(
     return family;
   });
   const motion = synthesisePath(path, wanted, changes, skeleton, options);
-  return { plan: planOf(motion, skeleton), motion, path, styles };
+  const spans = paths.map((p, i) => ({
+    id: p.id,
+    from: ((i === 0 ? 0 : lengths[i - 1]) / drawn) * path.length,
+    to: (lengths[i] / drawn) * path.length,
+  }));
+  return { plan: planOf(motion, skeleton), motion, path, styles, spans };
 }
 
 function lengthOf(points: readonly PathPoint[]): number {

@@ -6,7 +6,13 @@
  * the row is laid on a path; all else is kept as it was captured. Metres, radians, quaternions xyzw.
  */
 import type { Clip } from "../capture/clip.ts";
-import { quatCopy, quatFromYawPitchRoll, quatInverseMultiply, quatRotate } from "../math/quaternion.ts";
+import {
+  quatCopy,
+  quatFromYawPitchRoll,
+  quatInverseMultiply,
+  quatRotate,
+  quatToRotationVector,
+} from "../math/quaternion.ts";
 import { pitchOf, toeBendOf } from "../motion/foot-pose.ts";
 import { plantedAnkle } from "../motion/sole.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
@@ -20,8 +26,13 @@ export const QUATS = 3;
 export const QUAT_COUNT = 14;
 /** Two legs: left, right. */
 export const LEGS = QUATS + 4 * QUAT_COUNT;
-/** A leg: print (lateral, up, forward), yaw, pitch (toe up positive), toe bend (up positive), way of the knee (3). */
-export const LEG_STRIDE = 9;
+/**
+ * A leg: print (lateral, up, forward), yaw, pitch (toe up positive), toe bend (up positive), way of the knee (3), and what of
+ * the foot's rotation yaw and pitch leave out, as a rotation vector in the foot's own frame (3).
+ */
+export const LEG_STRIDE = 12;
+/** Where in a leg the rest of the foot's rotation is. */
+export const LEG_TILT = 9;
 /** End effectors for the blend length: head, hands, feet; x, y, z each, hips' place and path's heading removed. */
 export const EFFECTORS = LEGS + 2 * LEG_STRIDE;
 export const EFFECTOR_COUNT = 5;
@@ -78,6 +89,9 @@ export function rowOf(out: Float64Array, o: number, clip: Clip, frame: number, l
     out[l] = lateral(px, pz);
     out[l + 1] = place[f + 1] - ankle[1];
     out[l + 2] = forward(px, pz);
+    quatFromYawPitchRoll(q, 0, yaw, -steep, 0);
+    quatInverseMultiply(q, 0, q, 0, world, 4 * foot);
+    quatToRotationVector(out, l + LEG_TILT, q, 0);
     const turned = yaw - line.yaw;
     out[l + 3] = Math.atan2(Math.sin(turned), Math.cos(turned));
     out[l + 4] = steep;

@@ -39,15 +39,22 @@ const STEADY = 0.85;
 export function stridesOf(clip: Clip, plants: readonly [Plant[], Plant[]]): Stride[] {
   const [lefts, rights] = plants;
   const out: Stride[] = [];
-  const middle = (p: Plant) => Math.round((p.from + p.to - 1) / 2);
-  // A plant cut off by the clip's ends has no middle that is known: it is used where nothing else is left.
-  const whole = lefts.filter((p) => p.from > 0 && p.to < clip.frames);
+  const inside = (p: Plant) => p.from > 0 && p.to < clip.frames;
+  // A plant cut off by the clip's ends is used where nothing else is left; its middle is where a whole one's would be.
+  const whole = lefts.filter(inside);
   const usable = (whole.length >= 2 ? whole : lefts).filter((p) => p.to - p.from >= 3);
+  const usual = median([...lefts, ...rights].filter(inside).map((p) => p.to - p.from));
+  const middle = (p: Plant): number => {
+    if (inside(p) || usual === 0) return (p.from + p.to - 1) / 2;
+    return p.from > 0 ? p.from + (usual - 1) / 2 : p.to - (usual + 1) / 2;
+  };
   for (let i = 0; i + 1 < usable.length; i++) {
     const a = usable[i];
     const b = usable[i + 1];
-    const from = middle(a);
-    const to = middle(b);
+    // Both at one moment of the plant, early enough for some frames to follow.
+    const early = Math.min(0, clip.frames - 3 - middle(b));
+    const from = Math.max(0, Math.round(middle(a) + early));
+    const to = Math.round(middle(b) + early);
     const right = rights.filter((r) => r.from > from && r.to <= to);
     if (right.length !== 1) continue;
     const seconds = (to - from) / clip.rate;
@@ -64,8 +71,8 @@ export function stridesOf(clip: Clip, plants: readonly [Plant[], Plant[]]): Stri
       ),
     });
   }
-  const usual = median(out.map((s) => s.length / (s.to - s.from)));
-  return out.filter((s) => s.length / (s.to - s.from) >= STEADY * usual);
+  const pace = median(out.map((s) => s.length / (s.to - s.from)));
+  return out.filter((s) => s.length / (s.to - s.from) >= STEADY * pace);
 }
 
 function median(values: number[]): number {

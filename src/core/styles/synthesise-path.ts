@@ -7,6 +7,7 @@ import { solveLeg } from "../ik/leg.ts";
 import { softEnvelope } from "../math/interpolate.ts";
 import {
   quatFromAxisAngle,
+  quatFromRotationVector,
   quatFromYawPitchRoll,
   quatInverseMultiply,
   quatMultiply,
@@ -17,11 +18,12 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { ContactTrack } from "../steps/types.ts";
 import { balanceOnPath } from "./balance.ts";
 import { MEMBER_ROW, readFamily, type StrideFamily } from "./family.ts";
-import { constrainFeet, createFeetTrack, findPlants, freeFeet, type StylePlant } from "./feet.ts";
+import { constrainFeet, createFeetTrack, findPlants, freeFeet, growPlants, type StylePlant } from "./feet.ts";
+import { easeKnees } from "./knees.ts";
 import { leanAlong } from "./lean.ts";
 import type { LoopSequence } from "./loop.ts";
 import { type MotionPath, placeOnPath, readPath } from "./path.ts";
-import { LEG_STRIDE, LEGS, mixQuat, mixRows, QUAT_COUNT, QUATS, ROW } from "./rows.ts";
+import { LEG_STRIDE, LEG_TILT, LEGS, mixQuat, mixRows, QUAT_COUNT, QUATS, ROW } from "./rows.ts";
 import { createTimeline, type StyleChange, type Timeline, type TimelineOptions } from "./timeline.ts";
 
 /** Each enhancement of [Express §§6.2, 7] can be switched off to show why it is there. */
@@ -30,6 +32,8 @@ export interface PathOptions extends TimelineOptions {
   feet: boolean;
   /** The body leans into turns. */
   lean: boolean;
+  /** The hips keep the sample's sway about the path [Express §6.3]; else they are drawn along it. */
+  displacement: boolean;
   /** The zero-moment point is brought back over the planted feet. */
   balance: boolean;
 }
@@ -40,6 +44,7 @@ export const PATH_DEFAULTS: PathOptions = {
   stand: true,
   feet: true,
   lean: true,
+  displacement: true,
   balance: true,
 };
 
@@ -50,6 +55,8 @@ export interface PathMotion {
   timeline: Timeline;
   /** Lean a frame, radians towards the path's left. */
   lean: Float64Array;
+  /** How far the hips leave the sample's own offset from the path across it at most, metres. */
+  offset: number;
 }
 
 const Q = 4 * JOINT_COUNT;
@@ -87,19 +94,42 @@ export function synthesisePath(
   const feet = createFeetTrack(n);
   feet.down.set(timeline.down);
   const knees = new Float64Array(6 * n);
-  layFrames(clip, path, families, timeline, lean, feet, knees);
+  layFrames(clip, path, families, timeline, lean, feet, knees, o.displacement);
+  const laid = clip.root.slice();
   const plants = findPlants(feet);
-  if (o.feet) constrainFeet(feet, plants, skeleton.foot, skeleton.legLength);
-  else freeFeet(feet, skeleton.foot);
+  if (o.feet) {
+    constrainFeet(feet, plants, skeleton.foot, skeleton.legLength);
+    if (growPlants(feet, plants)) constrainFeet(feet, plants, skeleton.foot, skeleton.legLength);
+  } else freeFeet(feet, skeleton.foot);
   reachFeet(clip, feet.ankle);
   closeLegs(clip, feet, knees);
   if (o.feet && o.balance) {
-    const heading = timeline.at.map((s) => readPath(path, path.heading, s));
+    const heading = timeline.at.map((s) => readPath(path, path.tangent, s));
     balanceOnPath(clip, plants, feet.contacts, heading, () => closeLegs(clip, feet, knees));
     reachFeet(clip, feet.ankle);
     closeLegs(clip, feet, knees);
   }
-  return { clip, contacts: feet.contacts, plants, timeline, lean };
+  if (o.feet && easeKnees(clip, feet, plants)) closeLegs(clip, feet, knees);
+  return {
+    clip,
+    contacts: feet.contacts,
+    plants,
+    timeline,
+    lean,
+    offset: offsetOf(clip.root, laid, path, timeline.at),
+  };
+}
+
+/** Largest distance between two ways of the hips across a path, metres. */
+function offsetOf(root: Float64Array, laid: Float64Array, path: MotionPath, at: Float64Array): number {
+  let most = 0;
+  for (let f = 0; f < at.length; f++) {
+    const t = readPath(path, path.tangent, at[f]);
+    const across =
+      Math.cos(t) * (root[3 * f] - laid[3 * f]) - Math.sin(t) * (root[3 * f + 2] - laid[3 * f + 2]);
+    most = Math.max(most, Math.abs(across));
+  }
+  return most;
 }
 
 /** A loop's row with the legs of the stride wanted, to `row`; `member` is work. */
@@ -171,6 +201,7 @@ function towardsStanding(
     row[l + 3] += still * (sign * STAND_OUT - row[l + 3]);
     row[l + 4] *= amount;
     row[l + 5] *= amount;
+    for (let k = LEG_TILT; k < LEG_STRIDE; k++) row[l + k] *= amount;
   }
 }
 
@@ -183,6 +214,7 @@ function layFrames(
   lean: Float64Array,
   feet: ReturnType<typeof createFeetTrack>,
   knees: Float64Array,
+  displacement: boolean,
 ): void {
   const { skeleton } = clip;
   const row = new Float64Array(ROW);
@@ -211,15 +243,18 @@ function layFrames(
       towardsStanding(row, stance, height, timeline.amount[f], skeleton);
     }
     feet.still[f] = timeline.amount[f] <= 0 && timeline.down[f] === 3 ? 1 : 0;
+    feet.slow[f] = timeline.amount[f] < 1 ? 1 : 0;
     const s = timeline.at[f];
     const tilt = lean[f];
     const yaw = readPath(path, path.heading, s);
     // Hips: on the path's own offset. The lean turns the body about them.
-    placeOnPath(p, path, s + row[0]);
-    const t = readPath(path, path.heading, s + row[0]);
-    clip.root[3 * f] = p[0] + Math.cos(t) * row[1];
+    const ahead = displacement ? row[0] : 0;
+    const left = displacement ? row[1] : 0;
+    placeOnPath(p, path, s + ahead);
+    const t = readPath(path, path.heading, s + ahead);
+    clip.root[3 * f] = p[0] + Math.cos(t) * left;
     clip.root[3 * f + 1] = row[2] * Math.cos(tilt);
-    clip.root[3 * f + 2] = p[1] - Math.sin(t) * row[1];
+    clip.root[3 * f + 2] = p[1] - Math.sin(t) * left;
     quatFromYawPitchRoll(q, 0, yaw, 0, -tilt);
     const r = Q * f;
     quatMultiply(clip.rotations, r, q, 0, row, QUATS);
@@ -240,6 +275,7 @@ function layFrames(
       feet.yaw[i] = heading + row[l + 3];
       feet.pitch[i] = row[l + 4];
       feet.toeBend[i] = row[l + 5];
+      for (let k = 0; k < 3; k++) feet.tilt[g + k] = row[l + LEG_TILT + k];
       // Knees point half with the foot, half with the body, where the path turns between them.
       const k = yaw + 0.5 * (heading - yaw);
       const c = Math.cos(k);
@@ -287,6 +323,7 @@ function closeLegs(clip: Clip, feet: ReturnType<typeof createFeetTrack>, knees: 
   const world = new Float64Array(Q);
   const pose = new Float64Array(Q);
   const v = new Float64Array(3);
+  const tilt = new Float64Array(4);
   for (let f = 0; f < clip.frames; f++) {
     const r = Q * f;
     for (let k = 0; k < 4; k++) world[k] = clip.rotations[r + k];
@@ -311,6 +348,8 @@ function closeLegs(clip: Clip, feet: ReturnType<typeof createFeetTrack>, knees: 
       );
       const foot = upper + 2;
       quatFromYawPitchRoll(world, 4 * foot, feet.yaw[2 * f + side], -feet.pitch[2 * f + side], 0);
+      quatFromRotationVector(tilt, 0, feet.tilt[g], feet.tilt[g + 1], feet.tilt[g + 2]);
+      quatMultiply(world, 4 * foot, world, 4 * foot, tilt, 0);
       quatInverseMultiply(pose, 4 * foot, world, 4 * (upper + 1), world, 4 * foot);
       quatFromAxisAngle(pose, 4 * (foot + 1), 1, 0, 0, -feet.toeBend[2 * f + side]);
       for (let k = 4 * upper; k < 4 * (upper + 4); k++) clip.rotations[r + k] = pose[k];

@@ -3,9 +3,10 @@
  * key-times, blended over adaptive lengths from any frame, with the stride that the curvature allows.
  */
 import { minimumJerk } from "../math/interpolate.ts";
-import { type BlendLength, blendLength, FIXED_BLEND } from "./blend-length.ts";
+import { type BlendLength, blendAt, FIXED_BLEND } from "./blend-length.ts";
 import { type StrideFamily, strideScale } from "./family.ts";
-import { type ContactPhases, frameOfPhase, paceOfPhase, phaseOfFrame } from "./gait-phase.ts";
+import { type ContactPhases, frameOfPhase, phaseOfFrame } from "./gait-phase.ts";
+import type { LoopSequence } from "./loop.ts";
 import { type MotionPath, readPath, soften } from "./path.ts";
 
 const RATE = 60;
@@ -66,10 +67,20 @@ export interface StyleChange {
   style: number;
 }
 
+/** How far before and after a bend its stride holds, metres: a step is taken as a whole. */
+const STEP_AROUND = 0.25;
+
 /** Stride scale along the path, a value a row of it. A walker looks ahead: it shortens before the bend. */
 export function scaleAlong(path: MotionPath): Float64Array {
+  const reach = Math.round(STEP_AROUND / path.step);
   const raw = path.curvature.map((k) => strideScale(k));
-  return soften(raw, 0.15 / path.step);
+  const least = raw.map((_, i) => {
+    let m = 1;
+    for (let k = Math.max(0, i - reach); k <= Math.min(raw.length - 1, i + reach); k++)
+      m = Math.min(m, raw[k]);
+    return m;
+  });
+  return soften(least, 0.15 / path.step);
 }
 
 function downBits(c: ContactPhases, d: ContactPhases, w: number, phase: number): number {
@@ -165,10 +176,9 @@ export function createTimeline(
     const wanted = styleAt(changes, s);
     if (!blend && wanted !== style && stopping < 0) {
       const to = families[wanted].loop;
-      const start = nearestStride(phase, frameA, loop, to);
-      offset = Math.floor(phase) - start;
+      const { stride, length } = blendAt(loop, phase, to);
+      offset = Math.floor(phase) - stride;
       frameB = frameOfPhase(to.phases, phase - offset);
-      const length = blendLength(loop, frameA, to, frameB);
       const frames = Math.max(2, Math.round(options.adaptive ? length.frames : FIXED_BLEND * RATE));
       blend = { from: style, to: wanted, start: now, length, frames, phaseB: phase - offset };
       blends.push({ from: style, to: wanted, start: now, length, frames });
@@ -178,10 +188,7 @@ export function createTimeline(
     if (blend) {
       const b = families[blend.to].loop;
       const v = (1 - Math.cos((Math.PI * (now - blend.start)) / blend.frames)) / 2;
-      const paceAt = (p: number) =>
-        (1 - v) * paceOfPhase(loop.phases, p) + v * paceOfPhase(b.phases, p - offset);
-      const half = phase + 0.5 / paceAt(phase);
-      phase += 1 / paceAt(half);
+      phase = phaseAfter(loop, b, frameA, frameB, phase, offset, v);
       const a = frameOfPhase(loop.phases, phase);
       const c = frameOfPhase(b.phases, phase - offset);
       step = (1 - v) * loop.speed * (a - frameA) + v * b.speed * (c - frameB);
@@ -249,30 +256,37 @@ export function createTimeline(
   };
 }
 
+/**
+ * The phase one frame on, where two loops are played at once: the mean of the frames that each goes on by, weighed as the
+ * blend weighs them, is one. Sought by halving: near keys that fall together a pace says little about the next frame.
+ */
+function phaseAfter(
+  a: LoopSequence,
+  b: LoopSequence,
+  frameA: number,
+  frameB: number,
+  phase: number,
+  offset: number,
+  weight: number,
+): number {
+  const passed = (p: number) =>
+    (1 - weight) * (frameOfPhase(a.phases, p) - frameA) +
+    weight * (frameOfPhase(b.phases, p - offset) - frameB);
+  let low = phase;
+  let high = phase + 1 / Math.min(a.frames, b.frames);
+  while (passed(high) < 1) high += high - low;
+  for (let k = 0; k < 40 && high - low > 1e-9; k++) {
+    const middle = (low + high) / 2;
+    if (passed(middle) < 1) low = middle;
+    else high = middle;
+  }
+  return (low + high) / 2;
+}
+
 const mod = (a: number, n: number): number => ((a % n) + n) % n;
 
 function styleAt(changes: readonly StyleChange[], s: number): number {
   let style = changes[0].style;
   for (const c of changes) if (c.at <= s) style = c.style;
   return style;
-}
-
-/** The stride of the other loop, at the same place within the stride, that is nearest in pose. */
-function nearestStride(
-  phase: number,
-  frame: number,
-  from: StrideFamily["loop"],
-  to: StrideFamily["loop"],
-): number {
-  const u = phase - Math.floor(phase);
-  let best = 0;
-  let least = Number.POSITIVE_INFINITY;
-  for (let k = 0; k < to.strides; k++) {
-    const { gap } = blendLength(from, frame, to, frameOfPhase(to.phases, k + u));
-    if (gap < least) {
-      least = gap;
-      best = k;
-    }
-  }
-  return best;
 }

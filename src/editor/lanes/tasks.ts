@@ -7,7 +7,8 @@ import type { Lane } from "./lane.ts";
 export const taskLane: Lane = {
   id: "tasks",
   order: 10,
-  shown: () => true,
+  // Tasks wait while there is a path.
+  shown: (e) => e.store.getState().scene.paths.length === 0,
   height: () => 26,
   draw(e, frame) {
     const s = e.store.getState();

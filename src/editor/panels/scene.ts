@@ -6,15 +6,13 @@ import { sole } from "../parts/sole.ts";
 import { hasRef } from "../selection.ts";
 import type { ThingKind } from "../things/thing.ts";
 import type { PanelTab } from "./panel-tab.ts";
-import { pathSection } from "./paths.ts";
 
 export const sceneTab: PanelTab = {
   id: "scene",
   label: () => "Scene",
   order: 0,
   shown: () => true,
-  draw: (e) => html`${pathSection(e)}
-    ${e.registry.things.filter((k) => k.listed !== false).map((k) => things(e, k))}
+  draw: (e) => html`${e.registry.things.filter((k) => k.listed !== false).map((k) => things(e, k))}
     ${character(e)}
     ${warnings(e)}`,
 };

@@ -33,11 +33,13 @@ export function numberField(
   const change = (ev: Event): void => {
     const input = ev.target as HTMLInputElement;
     const v = readNumber(input.value);
+    e.set({ error: null });
     if (Number.isFinite(v)) set(v);
-    else {
-      e.fail(`${label}: a number is needed, found ${JSON.stringify(input.value)}.`);
-      input.value = value;
-    }
+    else e.fail(`${label}: a number is needed, found ${JSON.stringify(input.value)}.`);
+    // What was refused is outlined and stands until it is put right or left.
+    const refused = e.store.getState().error !== null;
+    input.closest(".field")?.classList.toggle("bad", refused);
+    input.setAttribute("aria-invalid", String(refused));
   };
   const scrub = (ev: PointerEvent): void => {
     if (ev.button !== 0) return;
@@ -51,5 +53,13 @@ export function numberField(
       ev,
     );
   };
-  return html`<label class="field"><span class="axis" @pointerdown=${scrub}>${axis}</span><input inputmode="decimal" autocomplete="off" aria-label=${label} .value=${value} @keydown=${key} @change=${change} @focus=${(ev: Event) => (ev.target as HTMLInputElement).select()} /><span class="unit" @pointerdown=${scrub}>${unit}</span></label>`;
+  return html`<label class="field"><span class="axis" @pointerdown=${scrub}>${axis}</span><input inputmode="decimal" autocomplete="off" aria-label=${label} .value=${value} @keydown=${key} @change=${change} @blur=${(
+    ev: Event,
+  ) => {
+    const input = ev.target as HTMLInputElement;
+    if (input.getAttribute("aria-invalid") !== "true") return;
+    input.value = value;
+    input.setAttribute("aria-invalid", "false");
+    input.closest(".field")?.classList.remove("bad");
+  }} @focus=${(ev: Event) => (ev.target as HTMLInputElement).select()} /><span class="unit" @pointerdown=${scrub}>${unit}</span></label>`;
 }

@@ -2,9 +2,13 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../editor.ts";
 import { ICONS } from "../icons.ts";
+import type { Tool } from "../tools/tool.ts";
 import { exportSwitches } from "./export-switches.ts";
 import { menuRows } from "./menu-rows.ts";
 import { legendRows } from "./overlay.ts";
+
+/** Tools that narrow windows keep under "More": labels, and those that stand between the tens. */
+const second = (t: Tool): boolean => t.order >= 50 || t.order % 10 !== 0;
 
 export function toolRail(e: Editor): TemplateResult {
   const s = e.store.getState();
@@ -12,7 +16,7 @@ export function toolRail(e: Editor): TemplateResult {
   return html`<div class="rail" role="toolbar" aria-orientation="vertical" aria-label="Tools">
     ${e.tools.all.map(
       (t) =>
-        html`<button aria-label=${t.label} data-tip="${t.label}  ${t.key}" aria-pressed=${t === current} class=${t.order >= 50 ? "wide" : ""} @click=${() => e.tools.use(t === current ? "select" : t.id)}>${t.icon}<span class="word">${t.label}</span></button>`,
+        html`<button aria-label=${t.label} data-tip="${t.label}  ${t.key}" aria-pressed=${t === current} class=${second(t) ? "wide" : ""} @click=${() => e.tools.use(t === current ? "select" : t.id)}>${t.icon}<span class="word">${t.label}</span></button>`,
     )}
     <button class="narrow" aria-label="More" aria-haspopup="dialog" aria-expanded=${s.menu === "more"} @click=${() => e.setMenu("more")}>${ICONS.more}<span class="word">More</span></button>
     <hr />
@@ -39,7 +43,7 @@ function more(e: Editor): TemplateResult {
   return html`<div class="menu more" role="dialog" aria-label="More">
     <div class="legend-rows">${legendRows(e)}</div>
     <hr />
-    ${e.tools.all.filter((t) => t.order >= 50).map((t) => act(t.label, () => e.tools.use(t.id)))}
+    ${e.tools.all.filter(second).map((t) => act(t.label, () => e.tools.use(t.id)))}
     ${act(s.snap ? "Snapping is on: turn it off" : "Snap to 5 cm and 15°", () => e.set({ snap: !s.snap }))}
     ${act(s.theme === "light" ? "Dark theme" : "Light theme", () => e.toggleTheme())}
     ${act("Keys and help", () => e.set({ help: true }))}

@@ -1,4 +1,5 @@
 /** The plan and its motion: asks the planner for the newest scene, and takes its answers in. */
+import type { PathOptions } from "../../core/styles/synthesise-path.ts";
 import type { PlannerResponse } from "../../workers/protocol.ts";
 import type { Editor } from "../editor.ts";
 import { MotionStore } from "./motion-store.ts";
@@ -15,9 +16,12 @@ export interface LogEntry {
 export class PlanSession {
   readonly motion = new MotionStore();
   readonly log: LogEntry[] = [];
-  private readonly planner: PlannerClient;
   /** For stones: 0 follows the footsteps, 1 the root alone; not part of the scene. */
   lambda4 = 0;
+  /** Enhancements of walks along paths that are switched; sent with each request. */
+  pathOptions: Partial<PathOptions> = {};
+  readonly planner: PlannerClient;
+  private readonly listeners = new Set<(m: PlannerResponse) => void>();
   private askedId = 0;
   private plannedId = 0;
   /** Whether the first motion of the scene has begun to play. */
@@ -39,7 +43,7 @@ export class PlanSession {
   ask(): void {
     const s = this.e.store.getState();
     const now = this.begun && s.time > 0 && s.time < this.duration - 0.01 ? s.time : null;
-    this.askedId = this.planner.plan(s.scene, now, this.lambda4);
+    this.askedId = this.planner.plan(s.scene, now, { paths: this.pathOptions, lambda4: this.lambda4 });
     this.note("asked", this.askedId);
   }
 
@@ -60,14 +64,24 @@ export class PlanSession {
     this.begun = false;
   }
 
+  /** Hears every answer of the planner that is not out of date, after the session has taken it in. */
+  listen(listener: (m: PlannerResponse) => void): void {
+    this.listeners.add(listener);
+  }
+
   private note(what: LogEntry["what"], id: number): void {
     this.log.push({ what, id, at: performance.now() });
     if (this.log.length > 5000) this.log.splice(0, 2500);
   }
 
   private hear(m: PlannerResponse): void {
-    const { e } = this;
     if ("id" in m) this.note(m.type, m.id);
+    this.take(m);
+    for (const listener of this.listeners) if (!("id" in m) || m.id === this.askedId) listener(m);
+  }
+
+  private take(m: PlannerResponse): void {
+    const { e } = this;
     switch (m.type) {
       case "ready":
         e.set({ status: null, transitions: m.transitions });
@@ -103,6 +117,10 @@ export class PlanSession {
         break;
       case "dropped":
       case "overtaken":
+      case "families":
+      case "style":
+      case "styles":
+      case "style-failed":
         break;
     }
   }

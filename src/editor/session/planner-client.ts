@@ -10,6 +10,9 @@ export interface PlannerClientEvents {
   restarted(): void;
 }
 
+type StyleRequest = Extract<PlannerRequest, { type: "style" }>;
+type Wishes = Pick<Extract<PlannerRequest, { type: "plan" }>, "paths" | "lambda4">;
+
 /** Restarts in a row after which the worker is left alone. */
 const MOST_RESTARTS = 3;
 
@@ -18,6 +21,8 @@ export class PlannerClient {
   private nextId = 1;
   private newest: Extract<PlannerRequest, { type: "plan" }> | null = null;
   private restarts = 0;
+  /** The visitor's styles, by name: a worker that takes over is told of them again. */
+  private readonly styles = new Map<string, StyleRequest>();
   private own: Uint8Array | null = null;
 
   constructor(
@@ -48,6 +53,7 @@ export class PlannerClient {
     };
     this.send({ type: "load", url: this.libraryUrl });
     if (this.own) this.send({ type: "own", bytes: this.own });
+    for (const style of this.styles.values()) this.send(style);
     // The worker plans as soon as it has the library; nothing has to come back first.
     if (this.newest) this.send(this.newest);
   }
@@ -78,10 +84,22 @@ export class PlannerClient {
     this.worker?.postMessage(request);
   }
 
+  /** A straight sample becomes a style; answered by `style` or `style-failed`. */
+  addStyle(name: string, file: string, text: string): void {
+    const request: StyleRequest = { type: "style", name, file, text };
+    this.styles.set(name, request);
+    this.send(request);
+  }
+
+  /** Takes a style back; one that failed is forgotten too. */
+  forgetStyle(name: string): void {
+    if (this.styles.delete(name)) this.send({ type: "forget-style", name });
+  }
+
   /** Asks for a plan; what was asked before is overtaken. @returns the request's id. */
-  plan(scene: Scene, now: number | null, lambda4 = 0): number {
+  plan(scene: Scene, now: number | null, wishes: Wishes = {}): number {
     const id = this.nextId++;
-    this.newest = { type: "plan", id, client: 0, scene, now, fromFrame: 0, lambda4 };
+    this.newest = { type: "plan", id, client: 0, scene, now, fromFrame: 0, ...wishes };
     this.send(this.newest);
     return id;
   }

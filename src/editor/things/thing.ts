@@ -55,6 +55,8 @@ export interface ThingKind {
   clickFirst?: boolean;
   /** For things picked in the stage: a drag that begins on one. */
   grab?(e: Editor, r: Ref, p: ToolPointer): Gesture | null;
+  /** A double click on its handle. */
+  activate?(e: Editor, r: Ref): void;
   /** A key while it is selected and its handle has the focus. @returns whether it was used. */
   keydown?(e: Editor, r: Ref, ev: KeyboardEvent): boolean;
 }

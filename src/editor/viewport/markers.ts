@@ -115,6 +115,7 @@ export class Markers {
       aria-pressed=${selected}
       style=${styleMap({ transform: `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px)`, visibility: at.visible ? "visible" : "hidden" })}
       @pointerdown=${(ev: PointerEvent) => this.begin(ev, t, "move")}
+      @dblclick=${() => this.e.registry.thing(t.ref.kind)?.activate?.(this.e, t.ref)}
       @pointerenter=${() => this.hover(t.ref)}
       @pointerleave=${() => this.hover(null)}
       @focus=${() => this.focused(t.ref)}

@@ -18,6 +18,7 @@ import { shapeOf } from "../gait-shape.ts";
 import { layersOf, moodOf, type Score } from "../score.ts";
 import type { FootTrack } from "./feet.ts";
 import type { Gait } from "./gait.ts";
+import { addPhrase } from "./phrase.ts";
 
 const DEG = Math.PI / 180;
 
@@ -131,6 +132,7 @@ export function renderBody(
       scale * (mood.crouch * (0.35 + 0.65 * k) + k * mood.bounce * (0.5 + 0.5 * Math.cos(2 * w - 0.6)));
   }
   singleSteps(b, feet, gait, skeleton, frames);
+  if (score.actor.phrase) addPhrase(b, gait, score.actor.phrase);
   if (on.alive) alive(b, score, gait, frames);
   return b;
 }

@@ -7,7 +7,7 @@ import { CLIP_RATE } from "../../core/capture/clip.ts";
 import { wrapAngle } from "../../core/math/angle.ts";
 import { smoothstep, unit } from "../../core/math/interpolate.ts";
 import { shapeOf } from "../gait-shape.ts";
-import type { Score, ScoreStep } from "../score.ts";
+import { paceOf, type Score, type ScoreStep } from "../score.ts";
 
 export interface Gait {
   /** Radians, growing. */
@@ -22,12 +22,14 @@ interface Beat {
   size: number;
 }
 
-/** Longest time between two strikes of one walk, seconds. */
+/** Longest time between two strikes of one walk, seconds; of a slow actor, in steps of the pace. */
 const LONGEST = 0.95;
+const LONGEST_STEPS = 1.35;
 
 /** Phase and amount over the frames of a score. */
 export function renderGait(score: Score, leg: number, frames: number): Gait {
   const { full } = shapeOf(score.actor);
+  const longest = Math.max(LONGEST, LONGEST_STEPS * paceOf(score.actor).time);
   const phase = new Float64Array(frames);
   const amount = new Float64Array(frames);
   const walks = score.steps
@@ -37,7 +39,7 @@ export function renderGait(score: Score, leg: number, frames: number): Gait {
   for (const s of walks) {
     const group = groups[groups.length - 1];
     const last = group?.[group.length - 1];
-    if (last && last.foot !== s.foot && s.land - last.land < LONGEST) group.push(s);
+    if (last && last.foot !== s.foot && s.land - last.land < longest) group.push(s);
     else groups.push([s]);
   }
   const place: Record<"left" | "right", { x: number; z: number; yaw: number }> = {
