@@ -129,7 +129,10 @@ test("a public capture is fetched at a click with its licence beside it, cleaned
   await page.getByRole("button", { name: "Turn", exact: true }).click();
   await expect(page.getByText(/^Turn, .* s$/)).toBeVisible();
   await page.getByRole("button", { name: "Join the library" }).click();
-  await expect(page.locator(".toast")).toContainText(/walk\.bvh joined the library: \d+ templates and [1-9]\d* walks/, {
-    timeout: 60_000,
-  });
+  await expect(page.locator(".toast")).toContainText(
+    /walk\.bvh joined the library: \d+ templates and [1-9]\d* walks/,
+    {
+      timeout: 60_000,
+    },
+  );
 });
