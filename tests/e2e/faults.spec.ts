@@ -115,7 +115,8 @@ test("storage closed and corrupt, markup in names, a lost drawing context, a pla
   await page.evaluate(() => window.stepwright?.restartPlanner());
   await expect.poll(() => finishedCount(page), { timeout: 60_000 }).toBeGreaterThan(before);
 
-  // The drawing context is lost and comes back: the picture is as bright as before.
+  // The drawing context is lost and comes back: the picture is as bright as before, with nothing lying over it.
+  await expect(page.locator(".toast")).toHaveCount(0, { timeout: 15_000 });
   await page.evaluate(() => window.stepwright?.seek(1));
   await page.waitForTimeout(500);
   const bright = await brightness(page, "artefacts/context-before.png");
