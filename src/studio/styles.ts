@@ -46,7 +46,7 @@ const seesaw = (times: number, amount: number, at: number): PhraseLine[] => [
 
 /** Numbers of steps, durations and what repeats after how many steps as in [Express Table 1]. */
 const SPECS: Record<Style, StyleSpec> = {
-  walking: { pace: { length: 0.655, time: 0.57 }, mood: { swing: 0.78 }, steps: 8 },
+  walking: { pace: { length: 0.655, time: 0.57 }, mood: { swing: 0.755 }, steps: 8 },
   jogging: { pace: { length: 0.92, time: 0.39, stance: 0.42, width: 0.09 }, mood: { lean: 5 }, steps: 14 },
   // Up on the toes, chest out; every second stride the arms fly up.
   excited: {
@@ -138,7 +138,7 @@ const SPECS: Record<Style, StyleSpec> = {
   energetic: {
     pace: { length: 0.72, time: 0.475, stance: 0.62 },
     mood: {
-      swing: 1.51,
+      swing: 1.55,
       elbow: 91,
       armsForward: 13,
       twist: 1.25,

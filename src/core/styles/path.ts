@@ -1,7 +1,9 @@
 /**
  * Motion paths: pointer samples smoothed as they come, control points made into a curve, arc length [Express §4].
  */
+
 import { wrapAngle } from "../math/angle.ts";
+import { unit } from "../math/interpolate.ts";
 
 /** Distance between the points that the filter and the stride rule see, metres. */
 export const POINT_SPACING = 0.1;
@@ -289,29 +291,25 @@ export function placeOnPath(out: Float64Array, path: MotionPath, s: number): voi
 
 /** Arc length of the point of the path nearest to (x, z), and how far off that is, metres. */
 export function nearestOnPath(path: MotionPath, x: number, z: number): { at: number; distance: number } {
-  let best = 0;
   let least = Number.POSITIVE_INFINITY;
+  let at = 0;
   for (let i = 0; i < path.rows; i++) {
     const d = (path.x[i] - x) ** 2 + (path.z[i] - z) ** 2;
-    if (d < least) {
-      least = d;
-      best = i;
-    }
+    if (d >= least) continue;
+    least = d;
+    at = i * path.step;
   }
-  let at = best * path.step;
-  for (const i of [best - 1, best]) {
-    if (i < 0 || i + 1 >= path.rows) continue;
+  // Where the path crosses itself, or runs beside itself, the nearest row may be another stretch's than the nearest point.
+  const reach = (Math.sqrt(least) + path.step) ** 2;
+  for (let i = 0; i + 1 < path.rows; i++) {
+    if ((path.x[i] - x) ** 2 + (path.z[i] - z) ** 2 > reach) continue;
     const dx = path.x[i + 1] - path.x[i];
     const dz = path.z[i + 1] - path.z[i];
-    const u = Math.max(
-      0,
-      Math.min(1, ((x - path.x[i]) * dx + (z - path.z[i]) * dz) / Math.max(1e-12, dx * dx + dz * dz)),
-    );
+    const u = unit(((x - path.x[i]) * dx + (z - path.z[i]) * dz) / Math.max(1e-12, dx * dx + dz * dz));
     const d = (path.x[i] + u * dx - x) ** 2 + (path.z[i] + u * dz - z) ** 2;
-    if (d < least) {
-      least = d;
-      at = (i + u) * path.step;
-    }
+    if (d >= least) continue;
+    least = d;
+    at = (i + u) * path.step;
   }
   return { at, distance: Math.sqrt(least) };
 }

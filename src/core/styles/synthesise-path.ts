@@ -4,7 +4,7 @@
  */
 import { CLIP_RATE, type Clip } from "../capture/clip.ts";
 import { solveLeg } from "../ik/leg.ts";
-import { softEnvelope } from "../math/interpolate.ts";
+import { smoothstep, softEnvelope } from "../math/interpolate.ts";
 import {
   quatFromAxisAngle,
   quatFromRotationVector,
@@ -273,7 +273,7 @@ function layFrames(
       feet.print[g + 1] = row[l + 1];
       feet.print[g + 2] = p[1] - Math.sin(heading) * lateral;
       feet.yaw[i] = heading + row[l + 3];
-      feet.pitch[i] = row[l + 4];
+      feet.pitch[i] = (timeline.down[f] >> side) & 1 ? settled(row[l + 4]) : row[l + 4];
       feet.toeBend[i] = row[l + 5];
       for (let k = 0; k < 3; k++) feet.tilt[g + k] = row[l + LEG_TILT + k];
       // Knees point half with the foot, half with the body, where the path turns between them.
@@ -285,6 +285,15 @@ function layFrames(
       knees[g + 2] = -sn * row[l + 6] + c * row[l + 8];
     }
   }
+}
+
+/** Toes of a resting foot that are up by less than the first lie on the ground; from the second on they are up; radians. */
+const LIES = Math.PI / 180;
+const STANDS_UP = (3.2 * Math.PI) / 180;
+
+/** Pitch of a resting foot without what blends and closed loops leave of its toes in the air. */
+function settled(pitch: number): number {
+  return pitch <= 0 ? pitch : pitch * smoothstep((pitch - LIES) / (STANDS_UP - LIES));
 }
 
 /** Lowers the hips softly where a leg would not reach its foot. */
