@@ -15,8 +15,7 @@ import type { Scene } from "../core/scene/types.ts";
 import { JOINT_COUNT } from "../core/skeleton/joints.ts";
 import { createSkeleton, type Skeleton } from "../core/skeleton/skeleton.ts";
 import type { StrideFamily } from "../core/styles/family.ts";
-import { planPaths } from "../core/styles/plan-paths.ts";
-import { storyOf } from "../core/styles/story.ts";
+import { joinStories } from "../core/styles/story.ts";
 import { goalsOf, planScene } from "../core/tasks/plan-scene.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
 import type { TaskGoal } from "../core/tasks/transition.ts";
@@ -159,21 +158,18 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
       post({ type: "dropped", id: request.id });
       return;
     }
-    const alone = scene.paths.length > 0 && scene.tasks.length === 0 && scene.stones.length === 0;
-    const walk = alone ? planPaths(scene, skeleton, families, request.paths ?? {}) : null;
-    const { plan, clip, contacts, boxes, ink } = walk
-      ? { plan: walk.plan, clip: walk.motion.clip, contacts: walk.motion.contacts, boxes: [], ink: [] }
-      : planWhole(
-          scene,
-          skeleton,
-          {
-            library: () => library,
-            families: () => families,
-            blends: () => blendsFor(key, skeleton),
-            cache,
-          },
-          { lambda4: request.lambda4 ?? 0, trace: true, paths: request.paths ?? {} },
-        );
+    const { plan, clip, contacts, boxes, ink, walks } = planWhole(
+      scene,
+      skeleton,
+      {
+        library: () => library,
+        families: () => families,
+        blends: () => blendsFor(key, skeleton),
+        cache,
+      },
+      { lambda4: request.lambda4 ?? 0, trace: true, paths: request.paths ?? {} },
+    );
+    const story = joinStories(walks, clip.frames);
     played.delete(request.client);
     const planMs = performance.now() - begun;
     post({
@@ -182,7 +178,7 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
       plan,
       planMs,
       frames: clip.frames,
-      ...(walk ? { story: storyOf(walk) } : {}),
+      ...(story ? { story } : {}),
     });
     await pause();
     const started = performance.now();

@@ -25,6 +25,14 @@ async function open(page: Page): Promise<(u: number, v: number) => [number, numb
   await page.goto("/");
   await answered(page);
   await page.getByRole("button", { name: "Pause" }).click();
+  // An empty room: the path is all there is to do.
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.items.add(new File(['{ "version": 1 }'], "empty.json"));
+    window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
+  });
+  await page.waitForFunction(() => window.stepwright?.state().scene.tasks.length === 0);
+  await answered(page);
   await page.getByRole("button", { name: "Path", exact: true }).click();
   const box = (await page.locator("canvas").first().boundingBox())!;
   return (u, v) => [box.x + u * box.width, box.y + v * box.height];

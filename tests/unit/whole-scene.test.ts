@@ -4,6 +4,7 @@ import { planWhole, runsOf } from "../../src/core/motion/whole-scene.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
 import { parseScene } from "../../src/core/scene/schema.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
+import { joinStories } from "../../src/core/styles/story.ts";
 import { goalsOf } from "../../src/core/tasks/plan-scene.ts";
 import { retargetLibrary } from "../../src/core/templates/retarget-library.ts";
 import { cyclicSources } from "../../src/studio/blend-library.ts";
@@ -51,6 +52,24 @@ describe("a scene of tasks and paths", () => {
       { kind: "paths", ids: ["path"] },
       { kind: "tasks", ids: ["sit"] },
     ]);
+  });
+
+  it("tells where along its paths it is, in time with the whole", () => {
+    const { clip, walks } = planWhole(scene(["write", "path", "sit"]), skeleton, sources);
+    const story = joinStories(walks, clip.frames);
+    if (!story) throw new Error("a story is there");
+    const [{ first, walk }] = walks;
+    expect(story.frames).toBe(clip.frames);
+    expect(first).toBeGreaterThan(60);
+    expect(first + walk.motion.clip.frames).toBeLessThan(clip.frames);
+    expect(story.spans).toEqual([{ id: "path", from: 0, to: story.length }]);
+    for (let f = 0; f < clip.frames; f++) {
+      if (f < first) expect(story.at[f]).toBeLessThan(0);
+      if (f > 0) expect(story.at[f]).toBeGreaterThanOrEqual(story.at[f - 1] - 1e-6);
+    }
+    expect(story.at[clip.frames - 1]).toBeCloseTo(story.length, 3);
+    expect(story.speed[first + Math.round(walk.motion.clip.frames / 2)]).toBeGreaterThan(0.5);
+    expect(joinStories([], 100)).toBeNull();
   });
 
   it("is done in its order, and nothing jumps where one ends and the next begins", () => {

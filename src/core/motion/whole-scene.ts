@@ -10,7 +10,7 @@ import type { Scene, SceneStone, SceneTask } from "../scene/types.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Footstep } from "../steps/types.ts";
 import type { StrideFamily } from "../styles/family.ts";
-import { planPaths, stylesOf } from "../styles/plan-paths.ts";
+import { type PathPlan, planPaths, stylesOf } from "../styles/plan-paths.ts";
 import type { PathOptions } from "../styles/synthesise-path.ts";
 import { standingFeet } from "../tasks/plan.ts";
 import { goalsOf, planScene } from "../tasks/plan-scene.ts";
@@ -41,6 +41,8 @@ export interface WholeOptions {
 export interface WholeMotion extends PlannedMotion {
   boxes: BoxTrack[];
   ink: InkStroke[];
+  /** Its walks along paths, with the frame at which each begins. */
+  walks: { first: number; walk: PathPlan }[];
 }
 
 type Kind = "tasks" | "paths" | "stones";
@@ -100,7 +102,7 @@ export function planWhole(
       if (near) add(doTasks(partOf(scene, []), skeleton, sources, standing, near, options));
       const from = near && whole ? standingAfter(whole) : standing;
       const stones = planStones(part, sources.blends(), from, { lambda4: options.lambda4 ?? 0 });
-      add({ ...stones, boxes: [], ink: [] });
+      add({ ...stones, boxes: [], ink: [], walks: [] });
       return;
     }
     if (run.kind === "tasks") {
@@ -109,9 +111,17 @@ export function planWhole(
       add(doTasks(risen, skeleton, sources, standing, null, options));
       return;
     }
-    const { plan, motion } = planPaths(part, skeleton, sources.families(stylesOf(part)), options.paths ?? {});
+    const along = planPaths(part, skeleton, sources.families(stylesOf(part)), options.paths ?? {});
+    const { plan, motion } = along;
     if (standing) add(doTasks(partOf(scene, []), skeleton, sources, standing, plan.start, options));
-    const walk = { plan, clip: motion.clip, contacts: motion.contacts, boxes: [], ink: [] };
+    const walk = {
+      plan,
+      clip: motion.clip,
+      contacts: motion.contacts,
+      boxes: [],
+      ink: [],
+      walks: [{ first: 0, walk: along }],
+    };
     const there = whole ? standingAfter(whole) : null;
     if (there) blendIn(walk.clip, there.root, there.rotations);
     add(walk);
@@ -164,7 +174,7 @@ function doTasks(
   const clip = synthesiseClip(synthesis, "scene");
   if (standing) blendIn(clip, standing.root, standing.rotations);
   plan.tasks = plan.tasks.filter((t) => t.id !== "");
-  return { plan, clip, contacts: synthesis.track.contacts, ...handResults(synthesis) };
+  return { plan, clip, contacts: synthesis.track.contacts, walks: [], ...handResults(synthesis) };
 }
 
 /** Nobody walks on from a seat without rising: a run of tasks that ends in one gets a rise. */
@@ -181,6 +191,7 @@ function after(a: WholeMotion, b: WholeMotion): WholeMotion {
   return {
     ...joinMotions(a, b),
     boxes: [...a.boxes, ...b.boxes.map((t) => ({ ...t, first: t.first + frames }))],
+    walks: [...a.walks, ...b.walks.map((w) => ({ ...w, first: w.first + frames }))],
     ink: [...a.ink, ...b.ink.map((s) => ({ ...s, times: s.times.map((t) => t + frames / 60) }))],
   };
 }

@@ -25,7 +25,7 @@ export interface PathStory {
 }
 
 /** The story of a plan along paths. */
-export function storyOf({ motion, path, styles, spans }: PathPlan): PathStory {
+function storyOf({ motion, path, styles, spans }: PathPlan): PathStory {
   const { timeline, lean } = motion;
   const n = timeline.frames;
   const speed = new Float32Array(n);
@@ -47,4 +47,59 @@ export function storyOf({ motion, path, styles, spans }: PathPlan): PathStory {
     spans,
     offset: motion.offset,
   };
+}
+
+/** Before a walk its place is so far short of its start, metres: its first moment can be told from what came before. */
+const SHORT = 1e-3;
+
+/**
+ * The stories of several walks of one motion as one, over all of its frames: between walks the place rests, at no speed. Null of
+ * none.
+ *
+ * @param walks with the frame at which each begins, in order.
+ */
+export function joinStories(
+  walks: readonly { first: number; walk: PathPlan }[],
+  frames: number,
+): PathStory | null {
+  if (walks.length === 0) return null;
+  const out: PathStory = {
+    frames,
+    length: 0,
+    styles: [],
+    at: new Float32Array(frames),
+    speed: new Float32Array(frames),
+    scale: new Float32Array(frames).fill(1),
+    lean: new Float32Array(frames),
+    blends: [],
+    loopStarts: [],
+    spans: [],
+    offset: 0,
+  };
+  let from = 0;
+  walks.forEach(({ first, walk }, i) => {
+    const story = storyOf(walk);
+    const end = Math.min(frames, first + story.frames);
+    out.at.fill(out.length - SHORT, from, first);
+    for (let f = first; f < end; f++) {
+      out.at[f] = out.length + story.at[f - first];
+      out.speed[f] = story.speed[f - first];
+      out.scale[f] = story.scale[f - first];
+      out.lean[f] = story.lean[f - first];
+    }
+    const styles = story.styles.map((name) => {
+      const known = out.styles.indexOf(name);
+      return known >= 0 ? known : out.styles.push(name) - 1;
+    });
+    for (const b of story.blends)
+      out.blends.push({ ...b, start: b.start + first, from: styles[b.from], to: styles[b.to] });
+    for (const l of story.loopStarts) out.loopStarts.push({ frame: l.frame + first, style: styles[l.style] });
+    for (const x of story.spans)
+      out.spans.push({ id: x.id, from: x.from + out.length, to: x.to + out.length });
+    out.length += story.length;
+    out.offset = Math.max(out.offset, story.offset);
+    from = end;
+    if (i === walks.length - 1) out.at.fill(out.length, end, frames);
+  });
+  return out;
 }
