@@ -54,6 +54,8 @@ class StudioPage {
   state: PageState;
 
   constructor() {
+    // What stood there before the script is drawn anew.
+    element<HTMLElement>(".top-bar").textContent = "";
     const dark = matchMedia("(prefers-color-scheme: dark)").matches;
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.state = {

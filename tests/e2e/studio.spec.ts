@@ -11,6 +11,8 @@ test("the studio walks by its sliders, compares with real walkers, and saves wha
   await expect.poll(walks, { timeout: 60_000 }).toBeGreaterThan(0);
   await page.getByRole("button", { name: "Pause" }).click();
   await expect(page.locator(".joints figure")).toHaveCount(3);
+  // The bar that stood there before the script is not drawn twice.
+  await expect(page.locator(".top-bar strong")).toHaveCount(1);
 
   const before = await walks();
   await page.getByLabel("Height", { exact: true }).fill("1.9");

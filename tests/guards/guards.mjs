@@ -96,8 +96,8 @@ export const GUARDS = [
   {
     name: "planner client: the newest scene is sent to the next worker",
     file: "src/editor/session/planner-client.ts",
-    guard: "if (this.newest) this.send(this.newest);",
-    without: "",
+    guard: "nothing has to come back first.\n    if (this.newest) this.send(this.newest);",
+    without: "nothing has to come back first.",
     tests: "tests/unit/planner-client.test.ts",
     test: "",
   },

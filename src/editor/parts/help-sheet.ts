@@ -43,7 +43,7 @@ export function helpSheet(e: Editor): void {
             ? nothing
             : html`<section><h3>${group}</h3><dl>${mine.map((r) => html`<div><dt>${r.label}</dt><dd>${r.text.split(", ").map((k) => html`<span class="kbd">${k}</span>`)}</dd></div>`)}</dl></section>`;
         })}</div>
-        <p class="note">Drag a task: the footsteps change as it moves, and the character follows the new plan from the step it is in.</p>
+        <p class="note">Drag a task: the footsteps change as it moves, and the character follows the new plan from the step it is in. The <a href="./lessons/index.html">lessons</a> explain how; the <a href="./studio.html">studio</a> shows how a walk is made.</p>
       </div>`,
       sheet,
     );
