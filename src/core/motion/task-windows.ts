@@ -4,7 +4,9 @@
  * A capture shows where the hand (or the hips) was in its own task's frame; laid on the scene's task it is where it must
  * be. Towards contact the body is led there by minimum jerk [Flash and Hogan 1985], after the end it is let go.
  */
+
 import { CLIP_RATE } from "../capture/clip.ts";
+import type { SidecarTask } from "../capture/sidecar.ts";
 import type { GroundPose } from "../math/frame2.ts";
 import { minimumJerk } from "../math/interpolate.ts";
 import type { Plan } from "../tasks/plan-types.ts";
@@ -97,4 +99,17 @@ export function mapByTask(
   out[o] = w.target.x + c * dx + s * dz;
   out[o + 1] = w.target.y + (y - w.source.y);
   out[o + 2] = w.target.z - s * dx + c * dz;
+}
+
+/** Arms that have been let go still come down for so long, seconds. */
+const COMES_DOWN = 0.4;
+
+/** Whether arms or hips are led to a task, or come back from one, anywhere between two frames of a capture. */
+export function ledBetween(tasks: readonly SidecarTask[], from: number, to: number): boolean {
+  return tasks.some(
+    (t) =>
+      LEAD[t.category] > 0 &&
+      (t.contact - LEAD[t.category]) * CLIP_RATE < to &&
+      (t.end + RELEASE[t.category] + COMES_DOWN) * CLIP_RATE > from,
+  );
 }

@@ -9,6 +9,7 @@
  */
 import { wrapAngle } from "../math/angle.ts";
 import { type GroundPose, toLocal, toWorld } from "../math/frame2.ts";
+import { ledBetween } from "../motion/task-windows.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Foot } from "../steps/types.ts";
 import type { Library } from "../templates/types.ts";
@@ -66,6 +67,8 @@ function movesOf(library: Library): { free: Moves; carrying: Moves } {
     library.clips.forEach((source, clip) => {
       source.steps.forEach((s, step) => {
         if (s.category !== "Walk" && s.category !== "TurnAndStep") return;
+        // A step is played from the landing before it; arms on their way from a board or to a box belong to that task.
+        if (ledBetween(source.tasks, source.steps[step - 1]?.end ?? s.start, s.end)) return;
         const feet = stanceBefore(source, step);
         const stance = footPose(feet[otherFoot(s.foot)]);
         const list = carriedAt(library, clip, s.start) ? all.carrying : all.free;
