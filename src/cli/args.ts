@@ -1,4 +1,6 @@
 /** Options of a command: `--name value [value ...]` and plain words. */
+import { mkdirSync } from "node:fs";
+import { dirname } from "node:path";
 
 /** Wrong usage: exit code 2. */
 export class UsageError extends Error {
@@ -49,10 +51,23 @@ export function needed(o: Options, name: string): string {
   return v;
 }
 
-/** Where the results of several inputs go: `DIR/NAME.ext`; of one, the file named. */
+/**
+ * Where the results of several inputs go: `DIR/NAME.ext`; of one, the file named. The folder is made, before any work is done for
+ * what could not be kept.
+ *
+ * @throws Error "DIR: could not be made: ..."
+ */
 export function outputs(inputs: readonly string[], out: string, extension: string): string[] {
-  if (inputs.length === 1 && !out.endsWith("/")) return [out];
-  return inputs.map((i) => `${out.replace(/\/$/, "")}/${baseName(i)}.${extension}`);
+  const single = inputs.length === 1 && !out.endsWith("/");
+  const folder = single ? dirname(out) : out.replace(/\/$/, "");
+  try {
+    mkdirSync(folder, { recursive: true });
+  } catch (error) {
+    throw new Error(
+      `${folder}: could not be made: ${error instanceof Error ? error.message : String(error)}`,
+    );
+  }
+  return single ? [out] : inputs.map((i) => `${folder}/${baseName(i)}.${extension}`);
 }
 
 export const baseName = (path: string): string => (path.split(/[\\/]/).pop() ?? path).replace(/\.[^.]*$/, "");

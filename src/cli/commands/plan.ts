@@ -68,7 +68,6 @@ export const planCommand = {
     const files = o.values.get("scene") ?? [];
     const out = needed(o, "out");
     const many = files.length > 1 || out.endsWith("/");
-    if (many) mkdirSync(out, { recursive: true });
     const to = outputs(files, out, "json");
     const library = one(o, "library");
     const base = once(() => (library ? decodeLibrary(readFileSync(library)) : shippedLibrary()));
