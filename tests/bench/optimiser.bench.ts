@@ -7,16 +7,12 @@
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 // Its main file is no module that Node reads: the sources are bundled with the benchmark.
 import { conjugateGradient } from "fmin/index.js";
-import { createRandom } from "../../src/core/math/random.ts";
 import { evaluateFootsteps } from "../../src/core/optimize/footstep-objective.ts";
 import { createFootstepWorkspace, optimizeFootsteps } from "../../src/core/optimize/optimize-footsteps.ts";
+import { searchOtherBasins } from "../../src/core/optimize/other-basins.ts";
 import { readInstances } from "../support/instances.ts";
 import { figure, median } from "./measure.ts";
 import type { BenchModule, Figure } from "./types.ts";
-
-const HOPS = [true, false];
-const HOP_STEPS = 2;
-const HOP_SIZE = 0.8;
 
 const bench: BenchModule = {
   name: "optimiser",
@@ -65,28 +61,16 @@ const bench: BenchModule = {
         conjugateGradient(objective, [...x0]);
         const peerMs = performance.now() - t;
         if (round < 3) continue;
-        // What is left of the peer's time goes into further starts: by turns a wide one about the start given and a hop of
-        // one footstep from the best minimum so far, as basins differ by where one or two footsteps lie.
-        let best = f;
-        const r = createRandom(7);
-        const top = Float64Array.from(x);
-        const again = Float64Array.from(x0);
+        // What is left of the peer's time goes into other basins. A start takes about as long as the first one at most.
+        const lowest = Float64Array.from(x);
         const from = performance.now();
-        let k = 0;
-        while (performance.now() - from + ms < 0.9 * peerMs - ms / 2) {
-          if (HOPS[k % HOPS.length]) {
-            again.set(top);
-            const first = 3 * Math.floor(r.next() * problem.n);
-            for (let i = first; i < Math.min(again.length, first + HOP_STEPS * 3); i++)
-              again[i] += HOP_SIZE * r.normal();
-          } else for (let i = 0; i < again.length; i++) again[i] = x0[i] + 0.8 * r.normal();
-          k++;
-          const found = optimizeFootsteps(problem, again, workspace).f;
-          if (found < best) {
-            best = found;
-            top.set(again);
-          }
-        }
+        const best = searchOtherBasins(
+          problem,
+          lowest,
+          f,
+          workspace,
+          () => performance.now() - from + ms < 0.9 * peerMs - ms / 2,
+        ).f;
         rows.push({
           id,
           n: problem.n,
