@@ -75,7 +75,9 @@ export class Editor {
     this.plan.ask();
     this.character = new CharacterSession(this);
     this.character.follow();
-    this.stage = new Stage(places.canvas);
+    // A worker hears nothing while its page is held up, and making the room's shaders holds it up: the planner gets its scene
+    // first, and plans meanwhile.
+    this.stage = new Stage(places.canvas, this.plan.started());
     this.layers = new LayerHost(this);
     this.markers = new Markers(this, places.viewport.querySelector(".overlay") as HTMLElement);
     this.stage.onDraw = () => this.markers.draw();

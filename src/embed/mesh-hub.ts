@@ -18,12 +18,21 @@ const waiting = new Map<number, Waiting>();
 let worker: Worker | null = null;
 let nextId = 1;
 
-/** The skin of a build; built once. @throws Error when it cannot be built. */
-export function characterMesh(height: number, proportions: Proportions): Promise<CharacterMesh> {
-  const key = `${height}/${proportions.leg}/${proportions.arm}/${proportions.torso}`;
+/**
+ * The skin of a build; built once.
+ *
+ * @param fineness size of its cells: 1 for one that is looked at, `COARSE` for one that is there sooner.
+ * @throws Error when it cannot be built.
+ */
+export function characterMesh(
+  height: number,
+  proportions: Proportions,
+  fineness: number,
+): Promise<CharacterMesh> {
+  const key = `${height}/${proportions.leg}/${proportions.arm}/${proportions.torso}/${fineness}`;
   let mesh = meshes.get(key);
   if (!mesh) {
-    mesh = build(height, proportions);
+    mesh = build(height, proportions, fineness);
     meshes.set(key, mesh);
     for (const old of meshes.keys()) {
       if (meshes.size <= MOST) break;
@@ -35,9 +44,9 @@ export function characterMesh(height: number, proportions: Proportions): Promise
   return mesh;
 }
 
-function build(height: number, proportions: Proportions): Promise<CharacterMesh> {
+function build(height: number, proportions: Proportions, fineness: number): Promise<CharacterMesh> {
   return new Promise((resolve, reject) => {
-    const request = { id: nextId++, height, proportions };
+    const request = { id: nextId++, height, proportions, fineness };
     waiting.set(request.id, { request, resolve, reject });
     try {
       worker ??= startWorker();
@@ -54,8 +63,8 @@ function startWorker(): Worker {
   w.onmessage = (event: MessageEvent<MeshResponse>) => {
     waiting.get(event.data.id)?.resolve(event.data.mesh);
     waiting.delete(event.data.id);
-    // Nothing is left to do: the worker's memory is given back.
-    if (waiting.size === 0) stopWorker();
+    // Nothing is left to do: the worker's memory is given back. After a coarse skin its fine one is asked for.
+    if (waiting.size === 0 && event.data.fineness <= 1) stopWorker();
   };
   w.onerror = (event) => {
     event.preventDefault();
@@ -78,7 +87,8 @@ function buildHere(): void {
     ({ buildCharacterMesh }) => {
       for (const w of all) {
         try {
-          w.resolve(buildCharacterMesh(createSkeleton(w.request.height, w.request.proportions)));
+          const { height, proportions, fineness } = w.request;
+          w.resolve(buildCharacterMesh(createSkeleton(height, proportions), fineness));
         } catch (error) {
           w.reject(error);
         }

@@ -10,6 +10,7 @@ import { JOINT_COUNT } from "../core/skeleton/joints.ts";
 import { createSkeleton } from "../core/skeleton/skeleton.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
 import { MotionStore } from "../editor/session/motion-store.ts";
+import { COARSE } from "../view/character/fineness.ts";
 import type { Footprint } from "../view/footprints.ts";
 import type { Stage } from "../view/stage.ts";
 import type { PlannerResponse } from "../workers/protocol.ts";
@@ -175,14 +176,17 @@ export class Player {
     const key = JSON.stringify([height, proportions]);
     if (key === this.meshKey) return;
     this.meshKey = key;
-    characterMesh(height, proportions).then(
-      (mesh) => {
-        if (this.stage !== stage || this.meshKey !== key) return;
-        stage.setCharacter(createSkeleton(height, proportions), mesh);
-        this.show();
-      },
-      (error: unknown) => this.events.failed(error instanceof Error ? error.message : String(error)),
-    );
+    const wanted = () => this.stage === stage && this.meshKey === key;
+    const wear = async (fineness: number) => {
+      const mesh = await characterMesh(height, proportions, fineness);
+      if (!wanted()) return;
+      stage.setCharacter(createSkeleton(height, proportions), mesh);
+      this.show();
+    };
+    // A coarse skin at once, so that the character stands there; then the one that is looked at.
+    wear(COARSE)
+      .then(() => (wanted() ? wear(1) : undefined))
+      .catch((error: unknown) => this.events.failed(error instanceof Error ? error.message : String(error)));
   }
 
   // ---- planner ---------------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ import { insideShare } from "../plots/gait-curves.ts";
 import { LAYERS } from "../studio/score.ts";
 import type { Style } from "../studio/styles.ts";
 import type { WalkSettings } from "../studio/walk-score.ts";
+import { COARSE } from "../view/character/fineness.ts";
 import { Stage } from "../view/stage.ts";
 import type { Theme } from "../view/tokens.ts";
 import type { MeshRequest, MeshResponse } from "../workers/mesh-worker.ts";
@@ -77,6 +78,7 @@ class StudioPage {
       if (event.data.id !== this.meshId || !walk) return;
       this.stage?.setCharacter(createSkeleton(walk.height, walk.proportions), event.data.mesh);
       this.player?.show();
+      if (event.data.fineness > 1) this.askSkin(walk, 1);
     };
     this.meshes.onerror = (event) => {
       event.preventDefault();
@@ -167,17 +169,18 @@ class StudioPage {
     this.set({ theme });
   }
 
+  private askSkin({ height, proportions }: Walked, fineness: number): void {
+    const request: MeshRequest = { id: this.meshId, height, proportions, fineness };
+    this.meshes.postMessage(request);
+  }
+
   private walked(walk: Walked): void {
     this.walks++;
     const key = JSON.stringify([walk.height, walk.proportions]);
     if (this.stage && key !== this.meshAsked) {
       this.meshAsked = key;
-      const request: MeshRequest = {
-        id: ++this.meshId,
-        height: walk.height,
-        proportions: walk.proportions,
-      };
-      this.meshes.postMessage(request);
+      this.meshId++;
+      this.askSkin(walk, COARSE);
     }
     this.player?.set(walk);
     this.set({ walk });

@@ -74,8 +74,14 @@ export class Stage {
   /** Called after each drawn frame, for what lies over the canvas. */
   onDraw: () => void = () => undefined;
 
-  /** @throws Error when the browser has no WebGL 2. */
-  constructor(readonly canvas: HTMLCanvasElement) {
+  /**
+   * @param begin the first picture is not drawn before this.
+   * @throws Error when the browser has no WebGL 2.
+   */
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private readonly begin: Promise<void> = Promise.resolve(),
+  ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.shadowMap.enabled = true;
@@ -90,11 +96,10 @@ export class Stage {
     this.controls.maxPolarAngle = (80 * Math.PI) / 180;
     this.controls.update();
     this.controls.addEventListener("change", () => this.invalidate());
-    this.room = createRoom(this.scene, this.renderer);
+    this.room = createRoom(this.scene);
     this.scene.add(this.props, this.taskMarks, this.footprints.group);
     this.setTheme("light");
     canvas.addEventListener("webglcontextrestored", () => {
-      this.room.relight();
       this.invalidate();
     });
     canvas.addEventListener("webglcontextlost", (e) => e.preventDefault());
@@ -432,7 +437,8 @@ export class Stage {
   private warmUp(): void {
     if (this.warming) return;
     this.warming = true;
-    void this.renderer.compileAsync(this.scene, this.camera).then(() => {
+    const compiled = this.begin.then(() => this.renderer.compileAsync(this.scene, this.camera));
+    void compiled.then(() => {
       this.shaders = true;
       this.invalidate();
     });

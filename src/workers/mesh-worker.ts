@@ -6,28 +6,24 @@ export interface MeshRequest {
   id: number;
   height: number;
   proportions: Proportions;
+  /** Size of the cells: 1 for one character near by, more for less work. */
+  fineness: number;
 }
 export interface MeshResponse {
   id: number;
+  fineness: number;
   mesh: CharacterMesh;
 }
 
-/** Cells of the skin that is sent first, in those of the last one: an eighth of the work. */
-const FIRST = 2.2;
-
 self.onmessage = (event: MessageEvent<MeshRequest>) => {
-  const { id, height, proportions } = event.data;
-  const skeleton = createSkeleton(height, proportions);
-  // A coarse skin at once, so that the character stands there; then the one that is looked at.
-  for (const fineness of [FIRST, 1]) {
-    const mesh = buildCharacterMesh(skeleton, fineness);
-    const answer: MeshResponse = { id, mesh };
-    (self as unknown as { postMessage(m: unknown, t: Transferable[]): void }).postMessage(answer, [
-      mesh.positions.buffer,
-      mesh.normals.buffer,
-      mesh.indices.buffer,
-      mesh.skinIndices.buffer,
-      mesh.skinWeights.buffer,
-    ] as Transferable[]);
-  }
+  const { id, height, proportions, fineness } = event.data;
+  const mesh = buildCharacterMesh(createSkeleton(height, proportions), fineness);
+  const answer: MeshResponse = { id, fineness, mesh };
+  (self as unknown as { postMessage(m: unknown, t: Transferable[]): void }).postMessage(answer, [
+    mesh.positions.buffer,
+    mesh.normals.buffer,
+    mesh.indices.buffer,
+    mesh.skinIndices.buffer,
+    mesh.skinWeights.buffer,
+  ] as Transferable[]);
 };

@@ -292,6 +292,7 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
   return (message) => {
     switch (message.type) {
       case "load":
+        post({ type: "started" });
         load("url" in message ? message.url : message.bytes).catch((error: unknown) =>
           post({ type: "failed", id: 0, message: error instanceof Error ? error.message : String(error) }),
         );

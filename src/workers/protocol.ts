@@ -42,6 +42,8 @@ export type PlannerRequest =
   | { type: "own"; bytes: Uint8Array | null };
 
 export type PlannerResponse =
+  /** The worker runs and has begun to load. */
+  | { type: "started" }
   | { type: "ready"; templates: number; clips: number; transitions: number[][] }
   | {
       type: "planned";

@@ -1,4 +1,8 @@
-/** The page's side of the worker of captures: a promise a request, progress, cancel; a worker that dies is replaced. */
+/**
+ * The page's side of the worker of captures: a promise a request, progress, cancel; a worker that dies is replaced.
+ *
+ * The worker starts with the first request: it reads a model that most visits have no need of.
+ */
 import type { ContactsRequest, ContactsResponse } from "../../workers/contacts-protocol.ts";
 
 /** A request that has an answer, without its id. */
@@ -31,7 +35,7 @@ export interface ContactsClientEvents {
 const MOST_RESTARTS = 3;
 
 export class ContactsClient {
-  private worker: Worker;
+  private worker: Worker | null = null;
   private waiting = new Map<number, Waiting>();
   private nextId = 1;
   private restarts = 0;
@@ -44,7 +48,11 @@ export class ContactsClient {
       new Worker(new URL("../../workers/contacts-worker.ts", import.meta.url), { type: "module" }),
   ) {
     this.model = { type: "model", url: modelUrl };
-    this.worker = this.start();
+  }
+
+  private running(): Worker {
+    this.worker ??= this.start();
+    return this.worker;
   }
 
   private start(): Worker {
@@ -79,7 +87,8 @@ export class ContactsClient {
   }
 
   private restart(): void {
-    this.worker.terminate();
+    this.worker?.terminate();
+    this.worker = null;
     const lost = [...this.waiting.values()];
     this.waiting.clear();
     for (const w of lost) w.reject(new Error("The worker of captures stopped."));
@@ -87,22 +96,22 @@ export class ContactsClient {
       this.events.failed("Captures cannot be read: their worker stops each time. Reload the page.");
       return;
     }
-    this.worker = this.start();
     this.events.restarted();
   }
 
   /** Another model to begin with. */
   useModel(bytes: Uint8Array, name: string): void {
     this.model = { type: "model", bytes, name };
-    this.worker.postMessage(this.model);
+    if (this.worker) this.worker.postMessage(this.model);
+    else this.running();
   }
 
   close(key: string): void {
-    this.worker.postMessage({ type: "close", key } satisfies ContactsRequest);
+    this.worker?.postMessage({ type: "close", key } satisfies ContactsRequest);
   }
 
   cancel(id: number): void {
-    this.worker.postMessage({ type: "cancel", id } satisfies ContactsRequest);
+    this.worker?.postMessage({ type: "cancel", id } satisfies ContactsRequest);
   }
 
   /** Asks; `id` is known at once, for `cancel`. */
@@ -111,7 +120,7 @@ export class ContactsClient {
     const answer = new Promise<Answer<T>>((resolve, reject) => {
       this.waiting.set(id, { resolve: (m) => resolve(m as Answer<T>), reject });
     });
-    this.worker.postMessage({ ...ask, id } as ContactsRequest);
+    this.running().postMessage({ ...ask, id } as ContactsRequest);
     return { id, answer };
   }
 }

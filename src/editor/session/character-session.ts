@@ -1,6 +1,7 @@
 /** The character's skin: made by a worker for each build, one that dies is replaced three times. */
 import { createSkeleton } from "../../core/skeleton/skeleton.ts";
 import type { CharacterMesh } from "../../view/character/build-mesh.ts";
+import { COARSE } from "../../view/character/fineness.ts";
 import type { MeshRequest, MeshResponse } from "../../workers/mesh-worker.ts";
 import type { Editor } from "../editor.ts";
 
@@ -42,7 +43,13 @@ export class CharacterSession {
     const key = JSON.stringify([height, proportions]);
     if (key === this.asked) return;
     this.asked = key;
-    const request: MeshRequest = { id: ++this.id, height, proportions };
+    this.id++;
+    this.ask(COARSE);
+  }
+
+  private ask(fineness: number): void {
+    const { height, proportions } = this.e.store.getState().scene.character;
+    const request: MeshRequest = { id: this.id, height, proportions, fineness };
     this.worker.postMessage(request);
   }
 
@@ -52,5 +59,8 @@ export class CharacterSession {
     this.mesh = answer.mesh;
     this.e.stage.setCharacter(createSkeleton(height, proportions), answer.mesh);
     this.e.playback.show();
+    // A coarse skin stands there at once; the one that is looked at waits until the first motion has been planned, so that it
+    // does not take the planner's time.
+    if (answer.fineness > 1) this.e.plan.whenAnswered(() => answer.id === this.id && this.ask(1));
   }
 }

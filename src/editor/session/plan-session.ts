@@ -13,6 +13,9 @@ export interface LogEntry {
   at: number;
 }
 
+/** Milliseconds that the first picture waits for the planner. */
+const MOST_PATIENCE = 1000;
+
 export class PlanSession {
   readonly motion = new MotionStore();
   readonly log: LogEntry[] = [];
@@ -22,6 +25,8 @@ export class PlanSession {
   pathOptions: Partial<PathOptions> = {};
   readonly planner: PlannerClient;
   private readonly listeners = new Set<(m: PlannerResponse) => void>();
+  private answered = false;
+  private readonly patient: (() => void)[] = [];
   private askedId = 0;
   private plannedId = 0;
   /** Whether the first motion of the scene has begun to play. */
@@ -69,6 +74,20 @@ export class PlanSession {
     this.listeners.add(listener);
   }
 
+  /** Settles when the planner has its first scene, or after a second: until then the page should leave it the time. */
+  started(): Promise<void> {
+    return new Promise((resolve) => {
+      setTimeout(resolve, MOST_PATIENCE);
+      this.listen((m) => m.type === "started" && resolve());
+    });
+  }
+
+  /** Calls back once the first plan has its whole motion or has failed; at once when one has. */
+  whenAnswered(act: () => void): void {
+    if (this.answered) act();
+    else this.patient.push(act);
+  }
+
   private note(what: LogEntry["what"], id: number): void {
     this.log.push({ what, id, at: performance.now() });
     if (this.log.length > 5000) this.log.splice(0, 2500);
@@ -77,6 +96,10 @@ export class PlanSession {
   private hear(m: PlannerResponse): void {
     if ("id" in m) this.note(m.type, m.id);
     this.take(m);
+    if (!this.answered && (m.type === "finished" || m.type === "failed")) {
+      this.answered = true;
+      for (const act of this.patient.splice(0)) act();
+    }
     for (const listener of this.listeners) if (!("id" in m) || m.id === this.askedId) listener(m);
   }
 
@@ -115,6 +138,7 @@ export class PlanSession {
       case "failed":
         e.fail(m.message);
         break;
+      case "started":
       case "dropped":
       case "overtaken":
       case "families":
