@@ -1,5 +1,6 @@
 /** Contact labels on hand-checked captures, each left out in turn: the oracle beside thresholds, plain and drifting; and its speed. */
 import { detectContacts } from "../../src/core/contacts/baselines.ts";
+import { HABIT, type Habit, learnHabit } from "../../src/core/contacts/convention.ts";
 import { featureSize, featuresOf } from "../../src/core/contacts/features.ts";
 import { trackOf } from "../../src/core/contacts/motion-track.ts";
 import { createNearestIndex, createNearestSearch, findNearest } from "../../src/core/contacts/nearest.ts";
@@ -11,12 +12,13 @@ import {
   PAPER_ORACLE,
   trainOracle,
 } from "../../src/core/contacts/oracle.ts";
-import { startingOracle } from "../../src/studio/starting-oracle.ts";
+import { startingLessons, startingOracle } from "../../src/studio/starting-oracle.ts";
 import { addScore, emptyScore } from "../support/contact-score.ts";
 import { atSourceRate, drifting, type LabelledClip, labelledClips } from "../support/labelled.ts";
 import { studio } from "../support/library.ts";
 import { hasShared } from "../support/shared.ts";
 import { countStrikes, strikeClips } from "../support/strikes.ts";
+import { clean } from "./contacts-clean.ts";
 import { learning } from "./contacts-learning.ts";
 import { figure, median } from "./measure.ts";
 import type { BenchModule, Figure } from "./types.ts";
@@ -26,7 +28,9 @@ const bench: BenchModule = {
   async run(options) {
     const figures: Figure[] = [];
     if (hasShared) {
-      accuracy(figures, options.progress);
+      const starting = startingOracles();
+      accuracy(figures, starting, options.progress);
+      clean(figures, starting.each, options.progress);
       learning(figures, options.progress);
     } else options.progress("contacts: no hand-checked captures beside the repository.");
     speed(figures);
@@ -46,7 +50,35 @@ interface Row {
   table?: boolean;
 }
 
-function accuracy(figures: Figure[], progress: (text: string) => void): void {
+/** Starting oracles that answer as those label whom the other clips show: one for each clip, and one of all for clips of others. */
+function startingOracles(): { each: Oracle[]; all: Oracle } {
+  const lessons = startingLessons();
+  const exact = startingOracle(null, lessons);
+  const pairs = labelledClips().map((c) => ({
+    exact: askOracle(exact, trackOf(c.clip)).labels,
+    labels: c.labels,
+  }));
+  const made = new Map<string, Oracle>();
+  const ofHabit = (habit: Habit): Oracle => {
+    const key = JSON.stringify(habit);
+    const oracle = made.get(key) ?? startingOracle(habit, lessons);
+    made.set(key, oracle);
+    return oracle;
+  };
+  const all = learnHabit(pairs);
+  if (JSON.stringify(all) !== JSON.stringify(HABIT))
+    throw new Error(`The habit that ships is not what the captures show: ${JSON.stringify(all)}.`);
+  return {
+    each: pairs.map((_, i) => ofHabit(learnHabit(pairs.filter((__, j) => j !== i)))),
+    all: ofHabit(all),
+  };
+}
+
+function accuracy(
+  figures: Figure[],
+  starting: { each: Oracle[]; all: Oracle },
+  progress: (text: string) => void,
+): void {
   const clips = labelledClips();
   const tracks = clips.map((c) => ({ track: trackOf(c.clip), labels: c.labels }));
   const leftOut = (o: OracleOptions): Labeller => {
@@ -63,7 +95,6 @@ function accuracy(figures: Figure[], progress: (text: string) => void): void {
       return askOracle(all, trackOf(clip)).labels;
     };
   };
-  const start = startingOracle();
   const paper = (change: Partial<OracleOptions>): Labeller => leftOut({ ...PAPER_ORACLE, ...change });
   const rows: Row[] = [
     { name: "height", label: (c) => detectContacts(c, "height") },
@@ -85,7 +116,7 @@ function accuracy(figures: Figure[], progress: (text: string) => void): void {
     { name: "own features", label: leftOut(OWN_ORACLE), judged: true },
     {
       name: "own features, starting oracle",
-      label: (c) => askOracle(start, trackOf(c)).labels,
+      label: (c, i) => askOracle(i === null ? starting.all : starting.each[i], trackOf(c)).labels,
       judged: true,
     },
   ];

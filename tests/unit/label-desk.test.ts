@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { writeBvh } from "../../src/core/capture/bvh-write.ts";
-import { asLabelled, asRested } from "../../src/core/contacts/convention.ts";
+import { asLabelled, asRested, learnHabit } from "../../src/core/contacts/convention.ts";
 import { packExamples, unpackExamples } from "../../src/core/contacts/examples.ts";
 import { LabelTrack } from "../../src/core/contacts/label-track.ts";
 import { encodeOracle } from "../../src/core/contacts/model-file.ts";
@@ -154,8 +154,13 @@ describe("what labels mean", () => {
   it("labels begin before the rest and end after it; back again they are the rest", () => {
     const exact = Uint8Array.from("..........######..........", (c) => (c === "#" ? 15 : 0));
     const labelled = asLabelled(exact);
-    expect(Array.from(labelled, (b) => (b ? "#" : ".")).join("")).toBe("........#########.........");
+    const of = (bit: number): string => Array.from(labelled, (b) => ((b >> bit) & 1 ? "#" : ".")).join("");
+    expect(of(0)).toBe("........##########........");
+    expect(of(1)).toBe("........#########.........");
     expect([...asRested(labelled)]).toEqual([...exact]);
+    // The habit of whoever labels is found again in what they labelled.
+    const habit = { heelLead: 3, heelLag: 0, toeLead: 1, toeLag: 2 };
+    expect(learnHabit([{ exact, labels: asLabelled(exact, habit) }])).toEqual(habit);
   });
 
   it("examples are the same after packing (seed 4)", () => {

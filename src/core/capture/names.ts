@@ -4,6 +4,9 @@
  */
 import type { JointName } from "../skeleton/joints.ts";
 
+/** Which joint of a file each of ours is. */
+export type Joints = Map<JointName, number>;
+
 const SIDED: [RegExp, string][] = [
   [/^(clavicle|collar|shoulder)$/, "Shoulder"],
   [/^(upperarm|arm|uparm|shoulderjoint)$/, "UpperArm"],
@@ -56,7 +59,7 @@ function partOf(name: string): JointName | null {
  * A rig's first spine bone is `spine`, the last under the neck `upperChest`. Rigs that call the upper arm "shoulder" are told
  * by having no other bone for it.
  */
-export function mapJoints(names: readonly string[], parents: readonly number[]): Map<JointName, number> {
+export function mapJoints(names: readonly string[], parents: readonly number[]): Joints {
   const out = new Map<JointName, number>();
   names.forEach((name, i) => {
     const part = partOf(name);

@@ -36,6 +36,13 @@ export interface RollOptions {
 const BESIDE = 0.1;
 const BESIDE_HEIGHT = 0.06;
 const BESIDE_SPEED = 0.9;
+/**
+ * A label is good to a frame: beside it, while the foot's other pad bears, a slow pad that is no higher than this bears too, for so
+ * long. Seconds; metres and metres a second at a leg of 0.93 m.
+ */
+const PAD_BESIDE = 0.034;
+const PAD_RISE = 0.008;
+const PAD_SPEED = 0.3;
 /** Faster than this nothing stands, whatever its label: metres a second at a leg of 0.93 m. */
 const LANDED = 0.9;
 /** Faster than this the figure is elsewhere, metres a second at a leg of 0.93 m. */
@@ -114,10 +121,14 @@ function findPlants(pads: PadTrack, bits: Uint8Array, o: RollOptions): { plants:
   const scale = o.leg / 0.93;
   const reach = Math.round(BESIDE * o.rate);
   const slide = new Float64Array(2);
-  const beside = (f: number, g: number, bit: number): boolean => {
-    const low = Math.min(...padHeights(pads.points, f, bit)) - pads.ground;
+  const lowest = (f: number, bit: number): number => Math.min(...padHeights(pads.points, f, bit));
+  // Heights over where the pad bears: an edited motion may float as a whole.
+  const beside = (f: number, g: number, bit: number, edge: number): boolean => {
     stillest(slide, pads.points, Math.min(f, g), bit);
-    return low < BESIDE_HEIGHT * scale && Math.hypot(slide[0], slide[1]) * o.rate < BESIDE_SPEED * scale;
+    return (
+      lowest(f, bit) - lowest(edge, bit) < BESIDE_HEIGHT * scale &&
+      Math.hypot(slide[0], slide[1]) * o.rate < BESIDE_SPEED * scale
+    );
   };
   // Nothing that is planted is carried elsewhere in a frame: a capture that jumps begins anew there.
   const jumps = (f: number): boolean => {
@@ -144,23 +155,52 @@ function findPlants(pads: PadTrack, bits: Uint8Array, o: RollOptions): { plants:
     while (from + 2 < to && bits[from] !== 3 && fast(from, bits[from])) worn[from++] = 0;
     while (to - 2 > from && bits[to - 1] !== 3 && fast(to - 2, bits[to - 1])) worn[--to] = 0;
     const lastEnd = plants.length > 0 ? plants[plants.length - 1].to : 0;
+    const first = from;
     for (let k = 0; k < reach && from > lastEnd + 1; k++) {
       const bit = bits[f] & 1 ? 1 : 2;
-      if (!beside(from - 1, from, bit)) break;
+      if (!beside(from - 1, from, bit, first)) break;
       from--;
       worn[from] = bit;
     }
     let end = to;
     for (let k = 0; k < reach && end < n && !bits[end]; k++) {
       const bit = bits[to - 1] & 2 ? 2 : 1;
-      if (!beside(end, end - 1, bit)) break;
+      if (!beside(end, end - 1, bit, to - 1)) break;
       worn[end] = bit;
       end++;
     }
     plants.push({ from, to: end, height: 0 });
     f = Math.max(labelled, end);
   }
+  for (const plant of plants) widenPads(pads.points, worn, plant, o);
   return { plants, worn };
+}
+
+/** Within a plant: each pad's stretches grow over the frames beside them in which it all but rests on the ground. */
+function widenPads(points: Float64Array, worn: Uint8Array, { from, to }: Plant, o: RollOptions): void {
+  const scale = o.leg / 0.93;
+  const reach = Math.max(1, Math.round(PAD_BESIDE * o.rate));
+  const slide = new Float64Array(2);
+  const labelled = worn.slice(from, to);
+  for (const bit of [1, 2]) {
+    const bears = (f: number): boolean => (labelled[f - from] & bit) !== 0;
+    const low = (f: number): number => Math.min(...padHeights(points, f, bit));
+    const widen = (edge: number, step: 1 | -1): void => {
+      for (let k = 1; k <= reach; k++) {
+        const f = edge + k * step;
+        if (f < from || f >= to || bears(f) || labelled[f - from] === 0) return;
+        stillest(slide, points, step > 0 ? f - 1 : f, bit);
+        if (Math.hypot(slide[0], slide[1]) * o.rate > PAD_SPEED * scale) return;
+        if (low(f) - low(edge) > PAD_RISE * scale) return;
+        worn[f] |= bit;
+      }
+    };
+    for (let f = from; f < to; f++) {
+      if (!bears(f)) continue;
+      if (f > from && !bears(f - 1)) widen(f, -1);
+      if (f + 1 < to && !bears(f + 1)) widen(f, 1);
+    }
+  }
 }
 
 const padHeights = (points: Float64Array, f: number, bit: number): [number, number] => {

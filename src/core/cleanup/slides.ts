@@ -11,12 +11,18 @@ import { stillest } from "./roll.ts";
 const DIRECTIONS = 18;
 
 /** 95th percentile over all plants of a file, millimetres; 0 where nothing is planted for two frames. */
+export function typicalSlide(slides: readonly number[]): number {
+  const sorted = [...slides].sort((a, b) => a - b);
+  return sorted.length === 0 ? 0 : sorted[Math.min(sorted.length - 1, Math.floor(0.95 * sorted.length))];
+}
+
+/** Slides of all plants of a file that last two frames or more, millimetres. */
 export function plantSlides(
   file: BvhFile,
   clip: Clip,
   contacts: ContactTrack,
   joints: Map<JointName, number> = jointsOf(file),
-): number {
+): number[] {
   const { pads, bits } = feetOf(file, clip, contacts, joints);
   const out: number[] = [];
   const step = new Float64Array(2);
@@ -45,6 +51,5 @@ export function plantSlides(
       }
     }
   });
-  out.sort((a, b) => a - b);
-  return out.length === 0 ? 0 : out[Math.min(out.length - 1, Math.floor(0.95 * out.length))];
+  return out;
 }
