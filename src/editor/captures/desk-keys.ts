@@ -84,7 +84,7 @@ const KEYS: readonly DeskKey[] = [
       s.edited();
     },
   },
-  { shown: "K", label: "Play, pause the segment", matches: is("k", "K"), run: (s) => s.togglePlay() },
+  { shown: "K", label: "Play, pause the segment", matches: is("k", "K"), run: (s) => s.clock.toggle() },
   {
     shown: "Enter",
     label: "Confirm the segment, retrain, next",

@@ -5,6 +5,7 @@ import { learningCurve } from "../../plots/learning-curve.ts";
 import { download } from "../formats/download.ts";
 import type { Capture } from "./capture.ts";
 import { clipTab } from "./clip-tab.ts";
+import { csvOf } from "./label-files.ts";
 import type { CaptureSession } from "./session.ts";
 
 export type DeskTab = "labels" | "clip" | "model";
@@ -68,7 +69,7 @@ function labelsTab(s: CaptureSession): TemplateResult {
     </section>
     <section class="section"><header><h3>Files</h3></header>
       <div class="actions">
-        <button class="outline" @click=${() => s.current && download(`${s.current.key}.csv`, s.csv(s.current), "text/csv")}>Export labels</button>
+        <button class="outline" @click=${() => s.current && download(`${s.current.key}.csv`, csvOf(s.current), "text/csv")}>Export labels</button>
         <button class="plain" @click=${() => s.pickFiles()}>Open files</button>
       </div>
     </section>`;

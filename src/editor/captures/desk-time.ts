@@ -25,11 +25,11 @@ export function deskTime(s: CaptureSession, size: DeskSize): TemplateResult {
   const { edits } = c;
   return html`
     <div class="transport">
-      <button class="play" aria-label=${s.playing ? "Pause" : "Play"} title="K" @click=${() => s.togglePlay()}>${s.playing ? ICONS.pause : ICONS.play}</button>
+      <button class="play" aria-label=${s.clock.playing ? "Pause" : "Play"} title="K" @click=${() => s.clock.toggle()}>${s.clock.playing ? ICONS.pause : ICONS.play}</button>
       <button class="icon" aria-label="Frame back" @click=${() => s.moveTo(edits.cursor - 1)}>${ICONS.back}</button>
       <button class="icon" aria-label="Frame ahead" @click=${() => s.moveTo(edits.cursor + 1)}>${ICONS.ahead}</button>
       <span class="clock">${edits.cursor} <span>/ ${edits.frames.toLocaleString("en")}</span></span>
-      <div class="segments" role="group" aria-label="Speed">${SPEEDS.map(([v, label]) => html`<button aria-pressed=${s.speed === v} @click=${() => s.setSpeed(v)}>${label}</button>`)}</div>
+      <div class="segments" role="group" aria-label="Speed">${SPEEDS.map(([v, label]) => html`<button aria-pressed=${s.clock.speed === v} @click=${() => s.clock.setSpeed(v)}>${label}</button>`)}</div>
       <span class="space"></span>
       <button class="icon" aria-label="Undo a label" ?disabled=${!edits.canUndo} @click=${() => s.act(() => edits.undo())}>${ICONS.undo}</button>
       <button class="icon" aria-label="Redo a label" ?disabled=${!edits.canRedo} @click=${() => s.act(() => edits.redo())}>${ICONS.redo}</button>

@@ -5,14 +5,15 @@
 
 import type { SidecarTask } from "../../core/capture/sidecar.ts";
 import { SEGMENT, type Segment } from "../../core/contacts/active-learning.ts";
-import { contactsCsv, parseContactsCsv } from "../../core/contacts/csv.ts";
 import { LabelTrack } from "../../core/contacts/label-track.ts";
-import type { Step } from "../../core/steps/types.ts";
 import type { Editor } from "../editor.ts";
 import { download } from "../formats/download.ts";
 import type { Capture, Stretch } from "./capture.ts";
 import { CancelledError, ContactsClient, type Progress } from "./client.ts";
+import { correctStep, type StepChange } from "./correct-step.ts";
+import { DeskClock } from "./desk-clock.ts";
 import type { DeskTab } from "./desk-panel.ts";
+import { labelsOfCsv } from "./label-files.ts";
 import { fetchCapture, type PublicCapture, publicCaptures } from "./public-list.ts";
 import { forgetCapture, keepCapture, keepLibrary, loadCaptures, loadLibrary } from "./storage.ts";
 
@@ -28,8 +29,6 @@ export class CaptureSession {
   /** Share of labels that the oracle is sure of after so many segments were confirmed. */
   sureness: { segments: number; sure: number }[] = [];
   segments: (Segment & { key: string })[] = [];
-  playing = false;
-  speed = 1;
   tab: DeskTab = "labels";
   /** Feet laid over each other in time: as captured, as cleaned, or not. */
   feetShown: "none" | "before" | "after" = "none";
@@ -37,10 +36,14 @@ export class CaptureSession {
   private readonly client: ContactsClient;
   private busy: number | null = null;
   private keepTimer = 0;
-  private lastTick = 0;
-  private toFrame = 0;
   private confirmedCount = 0;
   private readonly listeners = new Set<() => void>();
+  readonly clock = new DeskClock({
+    span: () => (this.deskOpen && this.current ? { ...this.stretch, rate: this.current.clip.rate } : null),
+    cursor: () => this.current?.edits.cursor ?? 0,
+    moveTo: (frame) => this.moveTo(frame),
+    changed: () => this.changed(),
+  });
 
   constructor(private readonly e: Editor) {
     this.client = new ContactsClient(new URL("generated/oracle.bin", document.baseURI).href, {
@@ -234,31 +237,6 @@ export class CaptureSession {
     this.changed();
   }
 
-  togglePlay(): void {
-    this.playing = !this.playing;
-    if (this.playing && this.current) {
-      if (this.current.edits.cursor >= this.stretch.last - 1) this.moveTo(this.stretch.first);
-      this.lastTick = performance.now();
-      this.toFrame = this.current.edits.cursor;
-      requestAnimationFrame(() => this.tick());
-    }
-    this.changed();
-  }
-
-  private tick(): void {
-    const c = this.current;
-    if (!this.playing || !c || !this.deskOpen) {
-      this.playing = false;
-      return;
-    }
-    const now = performance.now();
-    this.toFrame += Math.max(0, Math.min(0.1, (now - this.lastTick) / 1000)) * this.speed * c.clip.rate;
-    this.lastTick = now;
-    if (this.toFrame >= this.stretch.last) this.toFrame = this.stretch.first;
-    this.moveTo(Math.min(this.stretch.last - 1, Math.floor(this.toFrame)));
-    requestAnimationFrame(() => this.tick());
-  }
-
   get deskOpen(): boolean {
     return this.e.tools.current.id === "label";
   }
@@ -297,21 +275,9 @@ export class CaptureSession {
   }
 
   /** A step corrected by hand. Frames are held inside the clip and in order. */
-  editStep(
-    c: Capture,
-    index: number,
-    change: Partial<Pick<Step, "start" | "end" | "category" | "phase">>,
-  ): void {
-    const steps = [...(c.steps ?? [])];
-    const before = steps[index];
-    if (!before) return;
-    const s = { ...before, ...change };
-    const last = c.edits.frames - 1;
-    s.start = Math.max(0, Math.min(last - 1, Math.round(s.start)));
-    s.end = Math.max(s.start + 1, Math.min(last, Math.round(s.end)));
-    s.airStart = Math.max(s.start, Math.min(s.end, s.airStart));
-    s.airEnd = Math.max(s.airStart, Math.min(s.end, s.airEnd));
-    steps[index] = s;
+  editStep(c: Capture, index: number, change: StepChange): void {
+    const steps = correctStep(c.steps ?? [], index, change, c.edits.frames);
+    if (!steps) return;
     c.steps = steps;
     c.stepsEdited = true;
     this.edited();
@@ -338,11 +304,6 @@ export class CaptureSession {
     } catch (error) {
       this.e.fail(error instanceof Error ? error.message : String(error));
     }
-  }
-
-  setSpeed(speed: number): void {
-    this.speed = speed;
-    this.changed();
   }
 
   private async keep(c: Capture): Promise<void> {
@@ -431,23 +392,11 @@ export class CaptureSession {
 
   // ---- files ---------------------------------------------------------------------------------------------------
 
-  csv(c: Capture): string {
-    return contactsCsv(c.edits.labels, c.clip.rate, c.report.rate, c.report.frames);
-  }
-
   /** Labels from a CSV of the capture at hand. @throws Error that names the file. */
   async openCsv(file: File): Promise<void> {
     const c = this.current;
     if (!c) throw new Error(`${file.name}: open the capture that these labels are of first.`);
-    const rows = parseContactsCsv(await file.text(), file.name);
-    if (rows.length !== c.report.frames)
-      throw new Error(
-        `${file.name}: ${rows.length} rows, ${c.report.frames} frames in ${c.name}: these are labels of another clip.`,
-      );
-    const labels = Uint8Array.from(
-      { length: c.edits.frames },
-      (_, f) => rows[Math.min(rows.length - 1, Math.round((f * c.report.rate) / c.clip.rate))],
-    );
+    const labels = labelsOfCsv(c, await file.text(), file.name);
     c.edits.replace(labels);
     this.edited();
     await this.train();

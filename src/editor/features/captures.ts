@@ -39,7 +39,7 @@ const labelTool: Tool = {
   leave(e) {
     delete document.documentElement.dataset.desk;
     const s = sessionOf(e);
-    s.playing = false;
+    s.clock.stop();
     e.layers.update("scene");
     e.layers.update("plan");
     e.playback.show();
