@@ -57,7 +57,7 @@ export function learningCurve(plot: LearningPlot): string {
       out.push(`<text x="${px(x(lx) + 8)}" y="${px(y(ly) + 4 + (i === 0 ? -4 : 6))}">${safe(s.name)}</text>`);
     if (i === 0 && plot.last !== "")
       out.push(
-        `<text x="${px(Math.min(width - right, x(lx)))}" y="${px(y(ly) + 18)}" text-anchor="end" fill="var(--ink, #16191d)" font-weight="500">${safe(plot.last)}</text>`,
+        `<text x="${px(Math.max(34 + 7 * plot.last.length, Math.min(width - right, x(lx))))}" y="${px(y(ly) + 18)}" text-anchor="end" fill="var(--ink, #16191d)" font-weight="500">${safe(plot.last)}</text>`,
       );
   });
   out.push(`<text x="${width - right}" y="${height - 6}" text-anchor="end">${safe(plot.xName)}</text>`);
