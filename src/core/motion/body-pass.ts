@@ -7,6 +7,7 @@
 import { CLIP_RATE } from "../capture/clip.ts";
 import { wrapAngle } from "../math/angle.ts";
 import type { GroundPose } from "../math/frame2.ts";
+import { minimumJerk } from "../math/interpolate.ts";
 import {
   quatConjugate,
   quatFromAxisAngle,
@@ -173,11 +174,20 @@ function travelled(setup: SegmentSetup, source: number): number {
       : readTable(setup.travel, source - setup.step.start);
 }
 
+/**
+ * Fraction of its part of the warp that the root has made at a source frame.
+ */
+function carried(setup: SegmentSetup, source: number): number {
+  if (!setup.step) return 0;
+  const { from, to } = setup.segment;
+  return minimumJerk((source - from) / (to - from));
+}
+
 /** The capture's pose at a frame, laid on the plan's ground. */
 function mapBody(body: Body, setup: SegmentSetup, source: number): void {
   sampleClip(body.root, body.rotations, setup.source.clip, source);
   forwardKinematics(positions, world, setup.source.clip.skeleton, body.root, 0, body.rotations, 0);
-  const w = travelled(setup, source);
+  const w = carried(setup, source);
   for (let f = 0; f < 2; f++) {
     const joint = FEET[f];
     body.pitch[f] = pitchOf(world, 4 * joint);
