@@ -6,10 +6,13 @@
  */
 import {
   quatBetween,
+  quatConjugate,
+  quatFromRotationVector,
   quatInverseMultiply,
   quatMultiply,
   quatNormalize,
   quatSlerp,
+  quatToRotationVector,
 } from "../math/quaternion.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
 import { J } from "../skeleton/joints.ts";
@@ -31,6 +34,9 @@ const identity = Float64Array.of(0, 0, 0, 1);
 
 /** Softness of what an arm lacks, metres: a trunk that helps from one frame to the next only would start with a jerk. */
 const EASE = 0.02;
+/** What each joint of the spine bends with ease, and at most, for a reach: forward, about itself, to the side; radians. */
+const EASY_BEND = [0.35, 0.25, 0.15] as const;
+const MOST_BEND = [0.5, 0.35, 0.24] as const;
 /** Weight under which nothing is led. */
 const NOTHING = 1e-4;
 
@@ -69,9 +75,23 @@ export function bendTrunk(
   }
   for (const [i, joint] of SPINE.entries())
     for (let k = 0; k < 4; k++) straight[4 * i + k] = pose[4 * joint + k];
-  if (!drawShoulders(pose, positions, world, root, skeleton, weight) || made === 1) return;
-  for (const [i, joint] of SPINE.entries()) quatSlerp(pose, 4 * joint, straight, 4 * i, pose, 4 * joint, made);
+  if (!drawShoulders(pose, positions, world, root, skeleton, weight)) return;
+  for (const [i, joint] of SPINE.entries()) {
+    quatConjugate(q, 0, straight, 4 * i);
+    quatMultiply(q, 4, pose, 4 * joint, q, 0);
+    quatToRotationVector(q, 8, q, 4);
+    for (let k = 0; k < 3; k++) q[8 + k] = made * within(q[8 + k], EASY_BEND[k], MOST_BEND[k]);
+    quatFromRotationVector(q, 0, q[8], q[9], q[10]);
+    quatMultiply(pose, 4 * joint, q, 0, straight, 4 * i);
+    quatNormalize(pose, 4 * joint);
+  }
   forwardKinematics(positions, world, skeleton, root, 0, pose, 0);
+}
+
+/** An angle as it is up to `easy`, beyond it softly under `most`. */
+function within(angle: number, easy: number, most: number): number {
+  const over = Math.abs(angle) - easy;
+  return over <= 0 ? angle : Math.sign(angle) * (easy + (most - easy) * Math.tanh(over / (most - easy)));
 }
 
 /** Turns the spine until each shoulder is as near to its aim as `goal` says; false where they are from the first. */

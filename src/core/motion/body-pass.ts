@@ -61,6 +61,8 @@ export interface BodyTrack {
   shift: Float64Array;
   /** How far the hips were lowered for the legs to reach, metres a frame. */
   drop: Float64Array;
+  /** How far heels were raised beyond their captures', left and right a frame, radians. */
+  heels: Float64Array;
 }
 
 export function createBodyTrack(frames: number): BodyTrack {
@@ -74,6 +76,7 @@ export function createBodyTrack(frames: number): BodyTrack {
     sourceFrame: new Float64Array(frames),
     shift: new Float64Array(2 * frames),
     drop: new Float64Array(frames),
+    heels: new Float64Array(2 * frames),
   };
 }
 

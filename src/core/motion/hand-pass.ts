@@ -392,13 +392,7 @@ const RAISE_EASE = 0.02;
  * Raises what is carried to where the arms reach it bent. In captures of other things the hands hang, and a box between hanging
  * hands would be held by straight arms and a bowed trunk. Mutates `centre`, by `share` of the way.
  */
-function raise(
-  centre: number[],
-  yaw: number,
-  share: number,
-  limbs: LimbWorkspace,
-  skeleton: Skeleton,
-): void {
+function raise(centre: number[], yaw: number, share: number, limbs: LimbWorkspace, skeleton: Skeleton): void {
   const o = skeleton.offsets;
   const most = CARRYING_ARM * (Math.abs(o[3 * J.leftLowerArm]) + Math.abs(o[3 * J.leftHand]));
   const half = BOX_HALF + PALM_GAP;
