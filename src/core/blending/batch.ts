@@ -74,7 +74,7 @@ export const POSE = 4 * JOINT_COUNT;
 /** The offset that a blend carries: Rodrigues vectors and their rates, then the hips' place and its rate. */
 export const OFFSET = 6 * JOINT_COUNT + 6;
 /** What keeps the body over its feet (balance.ts), numbers a character. */
-export const BALANCE = 17;
+export const BALANCE = 23;
 
 export interface BatchOptions {
   /** Corners of the triangle may be replaced by clips that fit the root better and land this near, metres [Algorithm 1]. */

@@ -52,11 +52,10 @@ import { shownBody, writePose } from "./pose.ts";
 import { beginOffset, sampleBody } from "./sample.ts";
 import { findNext, landFoot, startStep } from "./start-step.ts";
 
-/** A footstep with its times, seconds on the crowd's clock; the normal is that of the ground, up when left out. */
+/** A footstep with its times, seconds on the crowd's clock. */
 export interface TimedFootstep extends Footstep {
   lift: number;
   land: number;
-  normal?: readonly [number, number];
 }
 
 /** Blends into and out of standing take longer, seconds. */

@@ -99,7 +99,7 @@ function leanOver(out: Float64Array, b: Batch, i: number, t: number): void {
 
 const legs = new WeakMap<object, Leg>();
 const turn = new Float64Array(4);
-const shift = new Float64Array(2);
+const shift = new Float64Array(3);
 
 function legFor(b: Batch): Leg {
   const key = b.library.skeleton;
@@ -146,7 +146,7 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
     const need = sinkFor(
       leg,
       s[f + ANKLE] - positions[joint] - shift[0],
-      s[f + ANKLE + 1] - positions[joint + 1],
+      s[f + ANKLE + 1] - positions[joint + 1] - shift[2],
       s[f + ANKLE + 2] - positions[joint + 2] - shift[1],
     );
     // A smooth largest of both.
@@ -162,7 +162,7 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
   }
   for (let j = 0; j < JOINT_COUNT; j++) {
     positions[3 * j] += shift[0];
-    positions[3 * j + 1] -= sink;
+    positions[3 * j + 1] += shift[2] - sink;
     positions[3 * j + 2] += shift[1];
   }
   for (let side = 0; side < 2; side++) {
