@@ -59,7 +59,7 @@ export class Stage {
   private theme: Theme = "light";
   private waiting = 0;
   /** Farthest that a scene is framed from, metres. */
-  private farthest = 13;
+  private farthest = 14;
   private figureShown = true;
   private held = false;
   private warming = false;
@@ -115,7 +115,7 @@ export class Stage {
   /** A wide floor without walls, seen from farther off: for crowds. */
   setOpen(open: boolean): void {
     this.room.setOpen(open);
-    this.farthest = open ? 45 : 13;
+    this.farthest = open ? 45 : 14;
     this.controls.maxDistance = this.farthest + 1;
     this.camera.far = open ? 120 : 60;
     this.camera.updateProjectionMatrix();

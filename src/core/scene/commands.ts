@@ -225,7 +225,9 @@ export function editFootstep(
     yaw: null,
     lift: null,
     land: null,
+    rest: null,
     pinned: false,
+    plant: "auto" as const,
   };
   return { ...scene, edits: [...scene.edits.filter((e) => !mine(e)), { ...before, ...change }] };
 }

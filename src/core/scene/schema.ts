@@ -5,7 +5,7 @@ import * as v from "valibot";
 import { FEET } from "../steps/types.ts";
 import { readJson } from "./json-text.ts";
 import { TASK_CATEGORIES } from "./task-types.ts";
-import { CROWD_GAITS, PROP_KINDS, PROP_SIZES, type Scene } from "./types.ts";
+import { CROWD_GAITS, PLANT_MODES, PROP_KINDS, PROP_SIZES, type Scene } from "./types.ts";
 
 /** What is wrong with a document, and where: "tasks[2].yaw: a number is needed, found \"left\"." */
 export class SceneError extends Error {
@@ -130,7 +130,9 @@ const edit = object({
   yaw: v.optional(v.nullable(angle), null),
   lift: v.optional(v.nullable(within(0, 3600)), null),
   land: v.optional(v.nullable(within(0, 3600)), null),
+  rest: v.optional(v.nullable(within(0.02, 3600)), null),
   pinned: v.optional(v.boolean("true or false is needed"), false),
+  plant: v.optional(oneOf(PLANT_MODES), "auto"),
 });
 
 const document = object({

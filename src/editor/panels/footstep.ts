@@ -1,14 +1,19 @@
 /** The footstep chosen: what the plan made of it, and what the user asks of it. */
 import { html, nothing, type TemplateResult } from "lit";
+import { PLANT_MODES, type PlantMode } from "../../core/scene/types.ts";
+import { restOf } from "../../core/tasks/edits.ts";
 import { CATEGORY_COLOURS, CATEGORY_WORDS } from "../../view/tokens.ts";
 import type { Editor } from "../editor.ts";
 import { ICONS } from "../icons.ts";
 import { numberField } from "../parts/number-field.ts";
+import type { Ref } from "../selection.ts";
 import {
   changeStep,
   editOf,
   footstepThings,
+  PLANT_WORDS,
   selectedSteps,
+  setPlants,
   swapFeet,
   togglePins,
 } from "../things/footsteps.ts";
@@ -32,8 +37,16 @@ function several(e: Editor, count: number): TemplateResult {
   return html`<section class="section">
     <header><h2>${count} footsteps</h2></header>
     <p class="note">Arrows move them together; Q swaps their feet.</p>
+    ${plants(e, shared(e))}
     ${actions(e)}
   </section>`;
+}
+
+/** What the plants of all selected footsteps have in common; null when they differ. */
+function shared(e: Editor): PlantMode | null {
+  const { scene } = e.store.getState();
+  const modes = new Set(selectedSteps(e).map((s) => editOf(scene, s.ref)?.plant ?? "auto"));
+  return modes.size === 1 ? ([...modes][0] ?? null) : null;
 }
 
 function actions(e: Editor): TemplateResult {
@@ -44,6 +57,27 @@ function actions(e: Editor): TemplateResult {
     ${touched ? html`<button class="plain" @click=${() => e.edit((s) => footstepThings.remove(s, selection))}>Back to the plan</button>` : nothing}
   </div>`;
 }
+
+/** Whether the plant that follows the landing is held, left to the capture, or rolls as planned. */
+function plants(e: Editor, now: PlantMode | null): TemplateResult {
+  return html`<div class="row"><span>Plant</span><div class="segments" role="group" aria-label="Plant">
+    ${PLANT_MODES.map((m) => html`<button aria-pressed=${m === now} title=${PLANT_HINTS[m]} @click=${() => setPlants(e, m)}>${PLANT_WORDS[m]}</button>`)}
+  </div></div>`;
+}
+
+/** How long the foot rests, where it lifts again. */
+function rest(e: Editor, r: Ref, index: number): TemplateResult | typeof nothing {
+  const { plan } = e.store.getState();
+  const seconds = plan ? restOf(plan.steps, index) : null;
+  if (seconds === null) return nothing;
+  return html`<div class="row"><span>On the floor</span>${numberField(e, "Seconds on the floor", "", seconds.toFixed(2), "s", (v) => changeStep(e, r, { rest: Math.max(0.05, v) }))}</div>`;
+}
+
+const PLANT_HINTS: Record<PlantMode, string> = {
+  auto: "Heel and toe rest as the capture rolls them",
+  enforce: "Heel and toe rest from landing to lift",
+  never: "Nothing holds the foot; no contact is claimed",
+};
 
 function one(e: Editor, { ref: r, index, step }: ReturnType<typeof selectedSteps>[number]): TemplateResult {
   const { scene, plan } = e.store.getState();
@@ -61,10 +95,12 @@ function one(e: Editor, { ref: r, index, step }: ReturnType<typeof selectedSteps
     <div class="row"><span>Position</span><div class="fields">${numberField(e, "Position x", "x", signed(step.x, 2), "m", place(0))}${numberField(e, "Position z", "z", signed(step.z, 2), "m", place(2))}</div></div>
     <div class="row"><span>Facing</span>${numberField(e, "Facing", "", signed((step.yaw * 180) / Math.PI, 1), "°", (v) => changeStep(e, r, { yaw: (v * Math.PI) / 180 }))}</div>
     <div class="row"><span>In the air</span>${numberField(e, "Seconds in the air", "", (step.land - step.lift).toFixed(2), "s", (v) => changeStep(e, r, { lift: step.lift, land: step.lift + Math.max(0.1, v) }))}</div>
+    ${rest(e, r, index)}
     <div class="row"><span>Pinned</span><div class="segments">
       <button aria-pressed=${!edit?.pinned} @click=${() => edit?.pinned && togglePins(e)}>No</button>
       <button aria-pressed=${edit?.pinned ?? false} @click=${() => !edit?.pinned && togglePins(e)}>Yes</button>
     </div></div>
+    ${plants(e, edit?.plant ?? "auto")}
     <div class="row"><span>Phase</span><span>${PHASE_WORDS[step.phase]}<span class="from-plan">${own}</span></span></div>
     ${warning ? html`<p class="error">${warning.replace(/^edits\[\d+\](\.\w+)?: /, "")}</p>` : nothing}
     ${actions(e)}
