@@ -20,7 +20,7 @@ export const footsteps: Feature = {
   keys: [
     { keys: ["Q"], label: "Swap the foot", group: "Selected", when: some, run: swapFeet },
     { keys: ["I"], label: "Pin the footstep", group: "Selected", when: some, run: togglePins },
-    { keys: ["U"], label: "Plant: auto, enforced, never", group: "Selected", when: some, run: cyclePlants },
+    { keys: ["M"], label: "Plant: auto, enforced, never", group: "Selected", when: some, run: cyclePlants },
     { keys: ["]"], label: "Select the next footstep", group: "Selected", run: (e) => walkSteps(e, 1) },
     { keys: ["["], label: "Select the footstep before", group: "Selected", run: (e) => walkSteps(e, -1) },
   ],

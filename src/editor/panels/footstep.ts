@@ -6,7 +6,7 @@ import { CATEGORY_COLOURS, CATEGORY_WORDS } from "../../view/tokens.ts";
 import type { Editor } from "../editor.ts";
 import { ICONS } from "../icons.ts";
 import { numberField } from "../parts/number-field.ts";
-import type { Ref } from "../selection.ts";
+import { schemaRows } from "../parts/schema-rows.ts";
 import {
   changeStep,
   editOf,
@@ -20,7 +20,6 @@ import {
 import type { PanelTab } from "./panel-tab.ts";
 
 const PHASE_WORDS = { exit: "Exit", locomotion: "Locomotion", enter: "Enter" } as const;
-const signed = (v: number, digits: number): string => v.toFixed(digits).replace("-", "\u2212");
 
 export const footstepTab: PanelTab = {
   id: "footstep",
@@ -65,14 +64,6 @@ function plants(e: Editor, now: PlantMode | null): TemplateResult {
   </div></div>`;
 }
 
-/** How long the foot rests, where it lifts again. */
-function rest(e: Editor, r: Ref, index: number): TemplateResult | typeof nothing {
-  const { plan } = e.store.getState();
-  const seconds = plan ? restOf(plan.steps, index) : null;
-  if (seconds === null) return nothing;
-  return html`<div class="row"><span>On the floor</span>${numberField(e, "Seconds on the floor", "", seconds.toFixed(2), "s", (v) => changeStep(e, r, { rest: Math.max(0.05, v) }))}</div>`;
-}
-
 const PLANT_HINTS: Record<PlantMode, string> = {
   auto: "Heel and toe rest as the capture rolls them",
   enforce: "Heel and toe rest from landing to lift",
@@ -82,25 +73,32 @@ const PLANT_HINTS: Record<PlantMode, string> = {
 function one(e: Editor, { ref: r, index, step }: ReturnType<typeof selectedSteps>[number]): TemplateResult {
   const { scene, plan } = e.store.getState();
   const edit = editOf(scene, r);
-  const place = (k: number) => (v: number) => {
-    const p: [number, number, number] = [step.x, step.y, step.z];
-    p[k] = v;
-    changeStep(e, r, { position: p, yaw: step.yaw });
-  };
+  // Where the plan has it, which is where it was put unless no leg reaches there.
+  const where = { position: [step.x, step.y, step.z], yaw: step.yaw };
+  const rest = plan ? restOf(plan.steps, index) : null;
   const which = edit ? scene.edits.indexOf(edit) : -1;
   const warning = plan?.warnings.find((w) => w.startsWith(`edits[${which}]`));
   const own = edit ? "" : "from the plan";
   return html`<section class="section">
     <div class="subject"><span class="glyph" style="background: ${CATEGORY_COLOURS[step.category].fill}; color: ${CATEGORY_COLOURS[step.category].mark}">${ICONS.foot}</span><div><h2>${step.foot === "left" ? "Left foot" : "Right foot"}</h2><span class="note">${CATEGORY_WORDS[step.category]} · ${index + 1} of ${plan?.steps.length ?? 0} · ${step.lift.toFixed(2)} to ${step.land.toFixed(2)} s</span></div></div>
-    <div class="row"><span>Position</span><div class="fields">${numberField(e, "Position x", "x", signed(step.x, 2), "m", place(0))}${numberField(e, "Position z", "z", signed(step.z, 2), "m", place(2))}</div></div>
-    <div class="row"><span>Facing</span>${numberField(e, "Facing", "", signed((step.yaw * 180) / Math.PI, 1), "°", (v) => changeStep(e, r, { yaw: (v * Math.PI) / 180 }))}</div>
     <div class="row"><span>In the air</span>${numberField(e, "Seconds in the air", "", (step.land - step.lift).toFixed(2), "s", (v) => changeStep(e, r, { lift: step.lift, land: step.lift + Math.max(0.1, v) }))}</div>
-    ${rest(e, r, index)}
-    <div class="row"><span>Pinned</span><div class="segments">
-      <button aria-pressed=${!edit?.pinned} @click=${() => edit?.pinned && togglePins(e)}>No</button>
-      <button aria-pressed=${edit?.pinned ?? false} @click=${() => !edit?.pinned && togglePins(e)}>Yes</button>
-    </div></div>
-    ${plants(e, edit?.plant ?? "auto")}
+    ${schemaRows(e, "edit", {
+      values: edit ? { ...edit, ...where, rest } : { ...where, pinned: false, plant: "auto", rest },
+      except: rest === null ? ["rest"] : [],
+      hints: PLANT_HINTS,
+      set(key, value) {
+        if (key === "pinned") togglePins(e);
+        else if (key === "plant") setPlants(e, value as PlantMode);
+        else
+          changeStep(
+            e,
+            r,
+            key === "position"
+              ? { position: value as [number, number, number], yaw: step.yaw }
+              : { [key]: value },
+          );
+      },
+    })}
     <div class="row"><span>Phase</span><span>${PHASE_WORDS[step.phase]}<span class="from-plan">${own}</span></span></div>
     ${warning ? html`<p class="error">${warning.replace(/^edits\[\d+\](\.\w+)?: /, "")}</p>` : nothing}
     ${actions(e)}

@@ -156,7 +156,7 @@ test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`,
     footstep: async () => {
       await press("v");
       await times(1 + whole(6), "]");
-      await press(["ArrowLeft", "ArrowUp", "q", "i", "u", "r"][whole(6)]);
+      await press(["ArrowLeft", "ArrowUp", "q", "i", "m", "r"][whole(6)]);
     },
     remove: () => press("Delete"),
     duplicate: () => press("Control+d"),
