@@ -23,6 +23,8 @@ export interface Carry {
   place: TaskWindow | null;
   first: number;
   last: number;
+  /** Frame from which the hands are their own again. */
+  over: number;
   track: BoxTrack;
 }
 
@@ -47,13 +49,19 @@ export interface HandState {
 /** Half a box's width and the palm's way to it, metres. */
 const BOX_HALF = 0.18;
 const PALM_GAP = 0.01;
+/** Frames over which hands and trunk come back from a box that is let go for another. */
+const LET_GO = 30;
+/** Half a box's height, metres, and what pulls it to the floor, m/s^2. */
+const BOX_RISE = 0.13;
+const GRAVITY = 9.81;
 
 export function createHandState(windows: TaskWindow[], frames: number): HandState {
   const carries: Carry[] = [];
   const alone: TaskWindow[] = [];
   let open: TaskWindow | null = null;
-  const close = (lift: TaskWindow, place: TaskWindow | null, until = frames - 1) => {
+  const close = (lift: TaskWindow, place: TaskWindow | null, next: TaskWindow | null = null) => {
     const first = lift.contact;
+    const until = next ? Math.max(first, next.from - LET_GO) : frames - 1;
     const last = Math.min(frames - 1, place ? place.contact : until);
     if (last < first) return;
     carries.push({
@@ -61,6 +69,7 @@ export function createHandState(windows: TaskWindow[], frames: number): HandStat
       place,
       first,
       last,
+      over: place ? place.over : last + (next ? LET_GO : 1),
       track: {
         lift: lift.task.id,
         place: place?.task.id ?? null,
@@ -72,8 +81,8 @@ export function createHandState(windows: TaskWindow[], frames: number): HandStat
   };
   for (const w of windows) {
     if (w.task.category === "lift") {
-      // A second box takes the hands: the first is left where they let it go.
-      if (open) close(open, null, Math.max(open.contact, w.from));
+      // A second box takes the hands: the first is let go just before.
+      if (open) close(open, null, w);
       open = w;
     } else if (w.task.category === "place" && open) {
       close(open, w);
@@ -300,8 +309,7 @@ function boxTargets(
   }
   for (const carry of state.carries) {
     const { lift, place } = carry;
-    const over = place ? place.over : carry.last + 1;
-    if (frame < lift.from || frame > over) continue;
+    if (frame < lift.from || frame > carry.over) continue;
     tip(v, 0, limbs.positions, limbs.world, 0, skeleton);
     tip(v, 3, limbs.positions, limbs.world, 1, skeleton);
     const body = [(v[0] + v[3]) / 2, (v[1] + v[4]) / 2, (v[2] + v[5]) / 2];
@@ -345,7 +353,7 @@ function boxTargets(
           ? 1
           : place
             ? 1 - minimumJerk((frame - place.contact) / Math.max(1, Math.min(40, place.over - place.contact)))
-            : 1;
+            : 1 - minimumJerk((frame - carry.last) / (carry.over - carry.last));
     if (held) {
       const t = carry.track.transforms;
       const o = 7 * (frame - carry.first);
@@ -374,6 +382,29 @@ function boxTargets(
     }
     return;
   }
+}
+
+/**
+ * Ways of the boxes from their grasp to where they come to rest: one that was let go for another falls to the floor and lies there
+ * as it was held.
+ *
+ * @param frames length of the motion.
+ */
+export function boxTracks(state: HandState, frames: number): BoxTrack[] {
+  return state.carries.map(({ track, last, place }) => {
+    if (place || last >= frames - 1) return track;
+    const end = track.transforms.length - 7;
+    const drop = Math.max(0, track.transforms[end + 1] - BOX_RISE);
+    const fall = Math.min(frames - 1 - last, Math.ceil(60 * Math.sqrt((2 * drop) / GRAVITY)));
+    const transforms = new Float32Array(track.transforms.length + 7 * fall);
+    transforms.set(track.transforms);
+    for (let k = 1; k <= fall; k++) {
+      const o = end + 7 * k;
+      transforms.copyWithin(o, end, end + 7);
+      transforms[o + 1] -= Math.min(drop, (GRAVITY * (k / 60) ** 2) / 2);
+    }
+    return { ...track, frames: track.frames + fall, transforms };
+  });
 }
 
 /** How far the capture's hands' middle at contact is from its box, as laid on the plan: nothing for the studio's own build. */

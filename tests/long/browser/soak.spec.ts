@@ -122,7 +122,7 @@ test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`,
   };
   const pressButton = async (name: string | RegExp): Promise<void> => {
     const button = page.getByRole("button", { name }).first();
-    if ((await button.isVisible()) && (await button.isEnabled())) await button.click({ timeout: 3000 });
+    if ((await button.isVisible()) && (await button.isEnabled())) await button.click({ timeout: 60_000 });
   };
 
   /** What a user may do, by name; each leaves the page ready for the next. */
@@ -178,7 +178,7 @@ test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`,
     tabs: async () => {
       const all = page.getByRole("tab");
       const n = await all.count();
-      if (n > 0) await all.nth(whole(n)).click({ timeout: 3000 });
+      if (n > 0) await all.nth(whole(n)).click({ timeout: 60_000 });
     },
     build: async () => {
       await page.evaluate(
