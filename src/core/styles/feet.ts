@@ -262,7 +262,8 @@ function swing(
     for (let k = 0; k < 5; k++) {
       const a = before ? shift[5 * last + k] : 0;
       const b = after ? shift[5 * next + k] : 0;
-      const most = MOST_SPEED * (leg / 0.93) * (k < 3 ? 1 : 8);
+      // Bent toes spring back when they lift: what bent them on the ground does not go on in the air.
+      const most = k === 4 ? 0 : MOST_SPEED * (leg / 0.93) * (k === 3 ? 8 : 1);
       const m0 = before && before.to - before.from > 1 ? clamp(a - shift[5 * (last - 1) + k], most) : 0;
       const m1 = after && after.to - after.from > 1 ? clamp(shift[5 * (next + 1) + k] - b, most) : 0;
       const d = (1 - s) * a + s * b + h0 * m0 - h1 * m1;
