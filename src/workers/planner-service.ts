@@ -6,7 +6,9 @@
  */
 
 import { type BlendLibrary, bakeLibrary } from "../core/blending/library.ts";
+import { ownCycle, withOwnCycles } from "../core/blending/own-cycles.ts";
 import type { CyclicSource } from "../core/blending/types.ts";
+import type { Clip } from "../core/capture/clip.ts";
 import { beginSynthesis, handResults, type SwingCache, synthesiseChunk } from "../core/motion/synthesise.ts";
 import type { MotionChunk } from "../core/motion/types.ts";
 import { planWhole } from "../core/motion/whole-scene.ts";
@@ -24,6 +26,7 @@ import { decodeLibrary } from "../core/templates/library-file.ts";
 import { retargetLibrary } from "../core/templates/retarget-library.ts";
 import type { Library } from "../core/templates/types.ts";
 import { cyclicSources } from "../studio/blend-library.ts";
+import type { ClipData } from "./contacts-protocol.ts";
 import { PathPlanner } from "./path-planner.ts";
 import type { PlannerRequest, PlannerResponse } from "./protocol.ts";
 
@@ -46,6 +49,16 @@ interface Playing {
   key: string;
   shown: { shift: Float64Array; drop: Float64Array; heels: Float64Array } | null;
 }
+
+/** A motion that has travelled, on a skeleton of its height. */
+const clipOf = (name: string, data: ClipData): Clip => ({
+  name,
+  skeleton: createSkeleton(data.height),
+  rate: data.rate,
+  frames: data.frames,
+  root: Float64Array.from(data.root),
+  rotations: Float64Array.from(data.rotations),
+});
 
 /** Sends one answer; what is in the second list may be transferred. */
 export type PostAnswer = (message: PlannerResponse, transfer?: Transferable[]) => void;
@@ -80,6 +93,7 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
   /** The plan that each asker plays, by `client`. */
   const played = new Map<number, Playing>();
   let cycles: CyclicSource[] | null = null;
+  const ownCycles = new Map<string, CyclicSource>();
   let blends: { key: string; library: BlendLibrary } | null = null;
   const paths = new PathPlanner();
   let told = false;
@@ -143,7 +157,8 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
   /** The clips that steps on stones are blended of, baked for a character. */
   function blendsFor(key: string, skeleton: Skeleton): BlendLibrary {
     cycles ??= cyclicSources();
-    if (blends?.key !== key) blends = { key, library: bakeLibrary(cycles, skeleton) };
+    if (blends?.key !== key)
+      blends = { key, library: bakeLibrary(withOwnCycles(cycles, [...ownCycles.values()]), skeleton) };
     return blends.library;
   }
 
@@ -316,6 +331,25 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
         break;
       case "forget-style":
         paths.forgetStyle(message.name);
+        break;
+      case "cycle":
+        try {
+          const { name, clip, contacts } = message;
+          cycles ??= cyclicSources();
+          ownCycles.set(name, ownCycle(name, clipOf(name, clip), contacts));
+          blends = null;
+          post({ type: "cycle", name, replaces: cycles.some((s) => s.name === name) });
+        } catch (error) {
+          post({
+            type: "cycle-failed",
+            name: message.name,
+            message: error instanceof Error ? error.message : String(error),
+          });
+        }
+        break;
+      case "forget-cycle":
+        ownCycles.delete(message.name);
+        blends = null;
         break;
       case "own":
         try {

@@ -11,6 +11,7 @@ import type { PathStory } from "../core/styles/story.ts";
 import type { PathOptions } from "../core/styles/synthesise-path.ts";
 import type { StyleFacts } from "../core/styles/user-style.ts";
 import type { Plan } from "../core/tasks/plan-types.ts";
+import type { ClipData } from "./contacts-protocol.ts";
 
 export type PlannerRequest =
   | {
@@ -35,6 +36,12 @@ export type PlannerRequest =
   /** A straight sample as BVH becomes a style of that name for all later plans. Answered by `style` or `style-failed`. */
   | { type: "style"; name: string; file: string; text: string }
   | { type: "forget-style"; name: string }
+  /**
+   * A capture joins the clips that steps on stones are blended of, or replaces the one of that name. Answered by `cycle` or
+   * `cycle-failed`. `contacts`: one byte a frame of the clip.
+   */
+  | { type: "cycle"; name: string; clip: ClipData; contacts: Uint8Array }
+  | { type: "forget-cycle"; name: string }
   /** First: where the library is, or its bytes. Answered by `ready` or `failed` with id 0. */
   | { type: "load"; url: string }
   | { type: "load"; bytes: Uint8Array }
@@ -61,6 +68,9 @@ export type PlannerResponse =
   /** The styles that ship, once after the first walk. */
   | { type: "styles"; facts: StyleFacts[] }
   | { type: "style-failed"; name: string; message: string }
+  /** A capture is blended of from now on; the shipped clip of its name is not any more. */
+  | { type: "cycle"; name: string; replaces: boolean }
+  | { type: "cycle-failed"; name: string; message: string }
   | { type: "motion"; id: number; chunk: MotionChunk }
   | {
       type: "finished";

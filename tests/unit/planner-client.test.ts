@@ -55,6 +55,22 @@ describe("a planner that dies", () => {
     expect(workers[1].sent).toHaveLength(2);
   });
 
+  it("is told again of the captures that steps are blended of", () => {
+    const { client, workers } = setup();
+    const clip = {
+      frames: 1,
+      rate: 60,
+      height: 1.75,
+      root: new Float32Array(3),
+      rotations: new Float32Array(88),
+    };
+    client.addCycle("mine", clip, new Uint8Array(1));
+    client.addCycle("gone", clip, new Uint8Array(1));
+    client.forgetCycle("gone");
+    workers[0].die();
+    expect(workers[1].sent.map((m) => ("name" in m ? m.name : m.type))).toEqual(["load", "mine"]);
+  });
+
   it("answers of the dead one are not heard, and it dies once", () => {
     const { workers, heard, restarts } = setup();
     workers[0].ready();

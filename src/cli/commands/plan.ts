@@ -1,6 +1,7 @@
 /** `plan`: scenes into footsteps and whole motions. */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { type BlendLibrary, bakeLibrary } from "../../core/blending/library.ts";
+import { ownCycle, withOwnCycles } from "../../core/blending/own-cycles.ts";
 import type { CyclicSource } from "../../core/blending/types.ts";
 import { writeBvh } from "../../core/capture/bvh-write.ts";
 import type { SwingCache } from "../../core/motion/synthesise.ts";
@@ -10,7 +11,7 @@ import { resultDocument } from "../../core/scene/result.ts";
 import { readScene } from "../../core/scene/schema.ts";
 import { createSkeleton, type Skeleton } from "../../core/skeleton/skeleton.ts";
 import { goalsOf } from "../../core/tasks/plan-scene.ts";
-import { buildLibrary, prepareClip } from "../../core/templates/build-library.ts";
+import { buildLibrary } from "../../core/templates/build-library.ts";
 import { decodeLibrary, encodeLibrary } from "../../core/templates/library-file.ts";
 import { retargetLibrary } from "../../core/templates/retarget-library.ts";
 import type { Library } from "../../core/templates/types.ts";
@@ -53,11 +54,9 @@ function once<T>(make: () => T): () => T {
 function withOwnClips(files: readonly string[]): CyclicSource[] {
   const own = files.map((f): CyclicSource => {
     const { clip } = readCapture(f);
-    const name = baseName(f);
-    return { name, clip, steps: prepareClip({ name, clip, tasks: [] }).steps };
+    return ownCycle(baseName(f), clip);
   });
-  const names = new Set(own.map((s) => s.name));
-  return [...cyclicSources().filter((s) => !names.has(s.name)), ...own];
+  return withOwnCycles(cyclicSources(), own);
 }
 
 export const planCommand = {

@@ -5,7 +5,7 @@
  * frame that the root's track has at the lift. One step is known ahead, and made anew while the wish changes.
  */
 import { lerpAngle, wrapAngle } from "../math/angle.ts";
-import type { GroundPose } from "../math/frame2.ts";
+import { type GroundPose, midPose } from "../math/frame2.ts";
 import { uniformMove } from "./analyse.ts";
 import { AIR, F_LAND, FOOT, FOOT_STATE, LAST_SIDE, STATE } from "./batch.ts";
 import type { BlendCrowd } from "./crowd.ts";
@@ -146,7 +146,14 @@ export function createWalker(crowd: BlendCrowd, i: number, ground: GroundAt | nu
       // A second step lets the heel behind rise: where it goes is decided anew before it begins.
       const other = 1 - side;
       const next = lift + blended(other, DURATION);
-      push(other, feet[other], next, next + blended(other, SWING));
+      // The body goes over the feet that are known: this one must not seem to stay where it is.
+      const then = midPose({ x: at.x, z: at.z, yaw }, feet[other]);
+      uniformMove(move, { x: lateral, z: forward, yaw: turn }, Math.max(0, next - land));
+      forwardBy(then, move.x, move.z);
+      then.yaw += move.yaw;
+      const thenYaw = then.yaw + blended(other, 2);
+      forwardBy(then, blended(other, 0), blended(other, 1));
+      push(other, { x: then.x, z: then.z, yaw: thenYaw }, next, next + blended(other, SWING));
     },
   };
 }

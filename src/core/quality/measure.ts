@@ -196,8 +196,10 @@ function steadyJerk(points: MotionPoints, pace: MotionPace, leg: number): number
     speed += pace.speeds[f];
     count++;
   }
-  if (count < 60) return jerkRatio(joints, frames, 60, leg, "stand", 0);
+  if (count < 60 && pace.kind === "stand") return jerkRatio(joints, frames, 60, leg, "stand", 0);
   const kind = pace.kind === "stand" || pace.kind === "all" ? "walk" : pace.kind;
+  // A few steps, too short to be steady: no standing either, so its starts and stops count as walking.
+  if (count < 60) return jerkRatio(joints, frames, 60, leg, kind, pace.speed);
   return jerkRatio(joints, frames, 60, leg, kind, speed / count, (f) => going[f] === 1);
 }
 

@@ -24,6 +24,8 @@ export interface Capture {
   steps: Step[] | null;
   stepsEdited: boolean;
   inLibrary: boolean;
+  /** What it is called among the clips that steps on stones are blended of; null when it is not one. */
+  cycle: string | null;
   cleaned: { text: string; clip: ClipData; report: CleanReport; skate: [number, number] } | null;
 }
 

@@ -15,7 +15,7 @@ const word = (s: string): string => s[0].toUpperCase() + s.slice(1);
 export function clipTab(s: CaptureSession): TemplateResult {
   const c = s.current;
   if (!c) return html`<section class="section"><p class="note">Open a BVH file first.</p></section>`;
-  return html`${captureList(s)}${facts(c)}${jointsSection(s, c)}${cleanSection(s, c)}${tasksSection(s, c)}${stepsSection(s, c)}${librarySection(s, c)}`;
+  return html`${captureList(s)}${facts(c)}${jointsSection(s, c)}${cleanSection(s, c)}${tasksSection(s, c)}${stepsSection(s, c)}${librarySection(s, c)}${stonesSection(s, c)}`;
 }
 
 function captureList(s: CaptureSession): TemplateResult | typeof nothing {
@@ -104,5 +104,21 @@ function librarySection(s: CaptureSession, c: Capture): TemplateResult {
   return html`<section class="section"><header><h3>Library</h3><span>${c.inLibrary ? "in your library" : "not in it"}</span></header>
     <p class="note">Steps and tasks of this capture become templates beside the shipped ones. They stay in this browser.</p>
     <div class="actions"><button class="outline" @click=${() => void s.setInLibrary(c, !c.inLibrary)}>${c.inLibrary ? "Leave the library" : "Join the library"}</button><button class="plain danger" @click=${() => void s.close(c)}>Close the capture</button></div>
+  </section>`;
+}
+
+/** Steps on stones are blended of clips that go on evenly: a capture joins those that ship, or takes the place of one. */
+function stonesSection(s: CaptureSession, c: Capture): TemplateResult {
+  const shipped = s.shippedCycles();
+  const value = (ev: Event): string =>
+    (
+      (ev.currentTarget as HTMLElement)
+        .closest("section")
+        ?.querySelector("select") as HTMLSelectElement | null
+    )?.value || c.key;
+  return html`<section class="section" data-part="stones"><header><h3>Stepping stones</h3><span>${c.cycle ? (shipped.includes(c.cycle) ? `instead of ${c.cycle}` : "beside ours") : "not used"}</span></header>
+    <p class="note">An even walk, run, side step or turn of six steps or more becomes one of the clips that steps on stones are blended of.</p>
+    <label class="row"><span>In the place of</span><select><option value="">none: beside ours</option>${shipped.map((n) => html`<option value=${n} ?selected=${c.cycle === n}>${n}</option>`)}</select></label>
+    <div class="actions"><button class="outline" @click=${(ev: Event) => s.blend(c, value(ev))}>Use for stepping stones</button>${c.cycle ? html`<button class="plain" @click=${() => s.unblend(c)}>Leave them</button>` : nothing}</div>
   </section>`;
 }

@@ -6,6 +6,7 @@
 import type { SidecarTask } from "../../core/capture/sidecar.ts";
 import { SEGMENT, type Segment } from "../../core/contacts/active-learning.ts";
 import { LabelTrack } from "../../core/contacts/label-track.ts";
+import type { PlannerResponse } from "../../workers/protocol.ts";
 import type { Editor } from "../editor.ts";
 import { download } from "../formats/download.ts";
 import type { Capture, Stretch } from "./capture.ts";
@@ -36,6 +37,8 @@ export class CaptureSession {
   private readonly client: ContactsClient;
   private busy: number | null = null;
   private keepTimer = 0;
+  /** The cycle that is told of when it is taken in. */
+  private told: string | null = null;
   private confirmedCount = 0;
   private readonly listeners = new Set<() => void>();
   readonly clock = new DeskClock({
@@ -46,6 +49,7 @@ export class CaptureSession {
   });
 
   constructor(private readonly e: Editor) {
+    e.plan.listen((m) => this.hearCycle(m));
     this.client = new ContactsClient(new URL("generated/oracle.bin", document.baseURI).href, {
       progress: (p) => {
         this.progress = { ...p, label: WORDS[p.doing] };
@@ -81,6 +85,7 @@ export class CaptureSession {
       c.steps = k.steps;
       c.stepsEdited = k.steps !== null;
       c.inLibrary = k.inLibrary;
+      if (k.cycle) this.blend(c, k.cycle, false);
     }
     if (this.captures.length > 0) {
       await this.train();
@@ -136,6 +141,7 @@ export class CaptureSession {
       steps: null,
       stepsEdited: false,
       inLibrary: false,
+      cycle: null,
       cleaned: null,
     };
     if (before >= 0) this.captures[before] = c;
@@ -153,6 +159,7 @@ export class CaptureSession {
     again.edits.fill(this.thoughtLabels(again));
     again.tasks = c.tasks;
     again.inLibrary = c.inLibrary;
+    if (c.cycle) this.blend(again, c.cycle, false);
     this.show(again);
     void this.keep(again);
   }
@@ -167,6 +174,7 @@ export class CaptureSession {
   async close(c: Capture): Promise<void> {
     this.captures = this.captures.filter((x) => x !== c);
     this.client.close(c.key);
+    if (c.cycle) this.unblend(c);
     await forgetCapture(c.key);
     if (this.current === c) {
       this.current = null;
@@ -307,7 +315,7 @@ export class CaptureSession {
   }
 
   private async keep(c: Capture): Promise<void> {
-    const { key, name, file, mapping, tasks, inLibrary } = c;
+    const { key, name, file, mapping, tasks, inLibrary, cycle } = c;
     const ok = await keepCapture({
       key,
       name,
@@ -318,6 +326,7 @@ export class CaptureSession {
       tasks,
       steps: c.stepsEdited ? c.steps : null,
       inLibrary,
+      cycle,
     });
     if (!ok) this.e.say("Labels cannot be kept in this browser. Export them.", false);
   }
@@ -440,6 +449,53 @@ export class CaptureSession {
   }
 
   /** The capture joins, or leaves, the library that the planner uses. */
+  /**
+   * Steps on stones are blended of this capture too, from the labels as they are now.
+   *
+   * @param as the shipped clip that it replaces, or a name of its own to join. @param say whether it is told.
+   */
+  blend(c: Capture, as: string, say = true): void {
+    if (c.cycle && c.cycle !== as) this.e.plan.planner.forgetCycle(c.cycle);
+    for (const other of this.captures) if (other !== c && other.cycle === as) other.cycle = null;
+    c.cycle = as;
+    this.told = say ? as : this.told;
+    this.e.plan.planner.addCycle(as, c.clip, c.edits.labels.slice());
+    this.changed();
+  }
+
+  /** Names of the clips that ship, as far as a plan over stones has told them. */
+  shippedCycles(): string[] {
+    const own = new Set(this.captures.map((c) => c.key));
+    return (this.e.store.getState().plan?.blend?.names ?? []).filter((n) => !own.has(n));
+  }
+
+  unblend(c: Capture): void {
+    if (c.cycle) this.e.plan.planner.forgetCycle(c.cycle);
+    c.cycle = null;
+    void this.keep(c);
+    this.e.plan.ask();
+    this.changed();
+  }
+
+  private hearCycle(m: PlannerResponse): void {
+    if (m.type !== "cycle" && m.type !== "cycle-failed") return;
+    const c = this.captures.find((x) => x.cycle === m.name);
+    if (m.type === "cycle-failed") {
+      this.e.plan.planner.forgetCycle(m.name);
+      if (c) c.cycle = null;
+      this.e.fail(m.message);
+    } else if (this.told === m.name)
+      this.e.say(
+        `${c?.name ?? m.name} ${m.replaces ? `replaces ${m.name}` : "joins the clips"} that steps on stones are blended of.`,
+        false,
+      );
+    this.told = null;
+    if (c) void this.keep(c);
+    // The triangles of both feet are drawn anew with the plan.
+    this.e.plan.ask();
+    this.changed();
+  }
+
   async setInLibrary(c: Capture, inLibrary: boolean): Promise<void> {
     c.inLibrary = inLibrary;
     void this.keep(c);

@@ -15,6 +15,8 @@ export interface KeptCapture {
   tasks: SidecarTask[];
   steps: Step[] | null;
   inLibrary: boolean;
+  /** Left out by earlier versions. */
+  cycle?: string | null;
 }
 
 const NAME = "stepwright-captures";

@@ -145,6 +145,8 @@ export class PlanSession {
       case "style":
       case "styles":
       case "style-failed":
+      case "cycle":
+      case "cycle-failed":
         break;
     }
   }

@@ -11,6 +11,7 @@ export interface PlannerClientEvents {
 }
 
 type StyleRequest = Extract<PlannerRequest, { type: "style" }>;
+type CycleRequest = Extract<PlannerRequest, { type: "cycle" }>;
 type Wishes = Pick<Extract<PlannerRequest, { type: "plan" }>, "paths" | "lambda4">;
 
 /** Restarts in a row after which the worker is left alone. */
@@ -23,6 +24,8 @@ export class PlannerClient {
   private restarts = 0;
   /** The visitor's styles, by name: a worker that takes over is told of them again. */
   private readonly styles = new Map<string, StyleRequest>();
+  /** Captures that steps on stones are blended of, by name, likewise. */
+  private readonly cycles = new Map<string, CycleRequest>();
   private own: Uint8Array | null = null;
 
   constructor(
@@ -54,6 +57,7 @@ export class PlannerClient {
     this.send({ type: "load", url: this.libraryUrl });
     if (this.own) this.send({ type: "own", bytes: this.own });
     for (const style of this.styles.values()) this.send(style);
+    for (const cycle of this.cycles.values()) this.send(cycle);
     // The worker plans as soon as it has the library; nothing has to come back first.
     if (this.newest) this.send(this.newest);
   }
@@ -94,6 +98,18 @@ export class PlannerClient {
   /** Takes a style back; one that failed is forgotten too. */
   forgetStyle(name: string): void {
     if (this.styles.delete(name)) this.send({ type: "forget-style", name });
+  }
+
+  /** A capture to blend steps on stones of; answered by `cycle` or `cycle-failed`. Plans made from then on use it. */
+  addCycle(name: string, clip: CycleRequest["clip"], contacts: Uint8Array): void {
+    const request: CycleRequest = { type: "cycle", name, clip, contacts };
+    this.cycles.set(name, request);
+    this.send(request);
+  }
+
+  /** Takes it back; one that failed is forgotten too. */
+  forgetCycle(name: string): void {
+    if (this.cycles.delete(name)) this.send({ type: "forget-cycle", name });
   }
 
   /** Asks for a plan; what was asked before is overtaken. @returns the request's id. */
