@@ -42,7 +42,7 @@ test("a video of the viewport plays: as long as the motion, as large as the room
   await page.getByRole("button", { name: "More", exact: true }).click();
   const [file] = await Promise.all([
     page.waitForEvent("download", { timeout: 900_000 }),
-    page.getByRole("button", { name: "Video of the viewport (WebM)" }).click(),
+    page.getByRole("menuitem", { name: "Video of the viewport (WebM)" }).click(),
   ]);
   expect(file.suggestedFilename()).toBe("turn.webm");
   const video = await readFile(await file.path());
