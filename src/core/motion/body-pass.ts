@@ -7,6 +7,7 @@
 import { CLIP_RATE } from "../capture/clip.ts";
 import { wrapAngle } from "../math/angle.ts";
 import type { GroundPose } from "../math/frame2.ts";
+import { minimumJerk } from "../math/interpolate.ts";
 import {
   quatConjugate,
   quatFromAxisAngle,
@@ -60,6 +61,8 @@ export interface BodyTrack {
   shift: Float64Array;
   /** How far the hips were lowered for the legs to reach, metres a frame. */
   drop: Float64Array;
+  /** How far heels were raised beyond their captures', left and right a frame, radians. */
+  heels: Float64Array;
 }
 
 export function createBodyTrack(frames: number): BodyTrack {
@@ -73,6 +76,7 @@ export function createBodyTrack(frames: number): BodyTrack {
     sourceFrame: new Float64Array(frames),
     shift: new Float64Array(2 * frames),
     drop: new Float64Array(frames),
+    heels: new Float64Array(2 * frames),
   };
 }
 
@@ -173,11 +177,20 @@ function travelled(setup: SegmentSetup, source: number): number {
       : readTable(setup.travel, source - setup.step.start);
 }
 
+/**
+ * Fraction of its part of the warp that the root has made at a source frame.
+ */
+function carried(setup: SegmentSetup, source: number): number {
+  if (!setup.step) return 0;
+  const { from, to } = setup.segment;
+  return minimumJerk((source - from) / (to - from));
+}
+
 /** The capture's pose at a frame, laid on the plan's ground. */
 function mapBody(body: Body, setup: SegmentSetup, source: number): void {
   sampleClip(body.root, body.rotations, setup.source.clip, source);
   forwardKinematics(positions, world, setup.source.clip.skeleton, body.root, 0, body.rotations, 0);
-  const w = travelled(setup, source);
+  const w = carried(setup, source);
   for (let f = 0; f < 2; f++) {
     const joint = FEET[f];
     body.pitch[f] = pitchOf(world, 4 * joint);
