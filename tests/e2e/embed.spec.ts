@@ -1,5 +1,5 @@
 /** Scenes in somebody else's page: elements and a frame under a strict policy, the message API, frames without an origin, lessons from a disk. */
-import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -340,4 +340,17 @@ test("a minimal element with its workers is at most 350 kB compressed; the captu
   expect(total).toBeGreaterThan(100);
   expect(total).toBeLessThan(350);
   expect(statSync(join(folder, "library.bin")).size).toBeGreaterThan(100_000);
+});
+
+test("the editor with what it starts is at most 700 kB compressed", () => {
+  const page = readFileSync(join(BUILT, "index.html"), "utf8");
+  const listed = [...page.matchAll(/(?:src|href)="\.\/(assets\/[^"]+\.(?:js|css))"/g)].map((m) => m[1]);
+  const workers = readdirSync(join(BUILT, "assets")).filter((f) => /^(planner|mesh)-worker.*\.js$/.test(f));
+  expect(workers).toHaveLength(2);
+  const files = [...new Set([...listed, ...workers.map((f) => `assets/${f}`)])];
+  const sizes = files.map((f) => gzipSync(readFileSync(join(BUILT, f)), { level: 9 }).length);
+  const total = sizes.reduce((a, b) => a + b, 0) / 1000;
+  console.log(`editor and its first workers: ${total.toFixed(1)} kB in ${files.length} files`);
+  expect(total).toBeGreaterThan(200);
+  expect(total).toBeLessThan(700);
 });

@@ -1,8 +1,10 @@
 /**
- * Pictures of every page at three sizes, light and dark, in artefacts/gallery; each is measured for what is covered or cut off.
+ * Pictures of every page at three sizes, light and dark, in artefacts/gallery; each is measured for what is covered or cut off, and
+ * judged by axe.
  * STEPWRIGHT_GALLERY names a part of the pages to draw only those.
  */
 import { mkdirSync, readdirSync } from "node:fs";
+import AxeBuilder from "@axe-core/playwright";
 import { expect, type Page, test } from "@playwright/test";
 import { pageFaults } from "../../support/page-faults.ts";
 
@@ -164,6 +166,10 @@ for (const [name, see] of Object.entries(PAGES).filter(([n]) => n.includes(wante
         const fullPage = name.startsWith("lesson") || name === "studio";
         await page.screenshot({ path: `artefacts/gallery/${name}-${width}-${colorScheme}.png`, fullPage });
         faults.push(...(await pageFaults(page)));
+        const { violations } = await new AxeBuilder({ page }).analyze();
+        for (const v of violations)
+          if (v.impact === "serious" || v.impact === "critical")
+            faults.push(`${v.id}: ${v.nodes.map((n) => n.target.join(" ")).join(", ")}`);
       }
       expect.soft([...new Set(faults)]).toEqual([]);
       expect.soft(errors).toEqual([]);

@@ -8,8 +8,8 @@
  */
 import { writeFileSync } from "node:fs";
 import { expect, type Page, test } from "@playwright/test";
-import base from "../../../playwright.config.ts";
 import { createRandom } from "../../../src/core/math/random.ts";
+import { watchHeaps } from "../../support/heaps.ts";
 
 const MINUTES = Number(process.env.STEPWRIGHT_SOAK_MINUTES ?? 30);
 const SEED = Number(process.env.STEPWRIGHT_SOAK_SEED ?? 1);
@@ -17,19 +17,6 @@ const SEED = Number(process.env.STEPWRIGHT_SOAK_SEED ?? 1);
 const HISTORY = 500;
 /** How far memory may rise above its first reading. */
 const FLAT = 1.1;
-
-const launch = base.use?.launchOptions ?? {};
-test.use({
-  launchOptions: {
-    ...launch,
-    args: [...(launch.args ?? []), "--js-flags=--expose-gc", "--enable-precise-memory-info"],
-  },
-});
-
-type Collected = typeof globalThis & {
-  gc?: () => void;
-  performance: { memory?: { usedJSHeapSize: number } };
-};
 
 interface Reading {
   minutes: number;
@@ -67,13 +54,6 @@ const drop = (page: Page, name: string, text: string) =>
     [name, text] as const,
   );
 
-/** Heap in use of a page or a worker once its garbage has gone. */
-function heapAtRest(): number {
-  const g = globalThis as Collected;
-  for (let k = 0; k < 3; k++) g.gc?.();
-  return g.performance.memory?.usedJSHeapSize ?? 0;
-}
-
 test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`, async ({ page }) => {
   const errors: string[] = [];
   page.on("pageerror", (e) => errors.push(e.stack ?? e.message));
@@ -81,6 +61,7 @@ test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`,
     if (m.type() === "error") errors.push(m.text());
   });
   page.on("dialog", (d) => void d.dismiss());
+  const heaps = await watchHeaps(page);
   await page.goto("/");
   await answered(page);
   const { next: random, below: whole } = createRandom(SEED);
@@ -213,7 +194,7 @@ test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`,
     await press("Escape");
   };
 
-  const begun = Date.now();
+  let begun = Date.now();
   const readings: Reading[] = [];
   const read = async (): Promise<void> => {
     await page.setViewportSize({ width: 1100, height: 720 });
@@ -232,14 +213,11 @@ test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`,
     await page.evaluate(() => window.stepwright!.seek(3));
     await page.waitForTimeout(6500);
     const workers = page.workers();
-    let held = 0;
-    for (const w of workers) held += await w.evaluate(heapAtRest);
     const graphics = await page.evaluate(() => window.stepwright!.graphics());
     readings.push({
       minutes: Number(((Date.now() - begun) / 60_000).toFixed(2)),
       edits,
-      page: await page.evaluate(heapAtRest),
-      workers: held,
+      ...(await heaps.read()),
       nodes: await page.evaluate(() => document.querySelectorAll("*").length),
       ...graphics,
       running: workers.map((w) => w.url().replace(/^.*\/|-[\w-]{8}\.js$/g, "")).sort(),
@@ -248,11 +226,21 @@ test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`,
     writeFileSync("artefacts/soak.json", JSON.stringify({ seed: SEED, minutes: MINUTES, readings }, null, 1));
   };
 
-  // Everything once, and the history full.
+  // Everything once, every example too, and the history full: what is made when it is first needed stays.
   for (const name of names) await act(name);
+  await page.locator(".scene-name").click();
+  await page.locator(".examples button").first().waitFor();
+  const examples = await page.locator(".examples button").count();
+  await press("Escape");
+  for (let k = 0; k < examples; k++) {
+    await page.locator(".scene-name").click();
+    await page.locator(".examples button").nth(k).click();
+    await page.waitForTimeout(1500);
+  }
   await drop(page, "rest.json", rest);
   await page.locator('[data-marker="write"]').focus();
   for (let k = 0; k < HISTORY + 10; k++) await press(k % 2 ? "ArrowLeft" : "ArrowRight");
+  begun = Date.now();
   await read();
   const every = Math.max(30_000, (MINUTES * 60_000) / 10);
   while (Date.now() - begun < MINUTES * 60_000) {
@@ -263,6 +251,8 @@ test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`,
   }
 
   const [first, ...later] = readings;
+  expect(first.workers).toBeGreaterThan(0);
+  expect(later.length).toBeGreaterThan(0);
   for (const r of later) {
     expect
       .soft(r.page + r.workers, `memory after ${r.minutes} minutes`)
