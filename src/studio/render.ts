@@ -14,6 +14,7 @@ import { type FootTrack, renderFoot } from "./layers/feet.ts";
 import { ballisticHeight, flightFrames, loadFactor } from "./layers/flight.ts";
 import { type Gait, renderGait } from "./layers/gait.ts";
 import { calmKnees } from "./layers/knees.ts";
+import { loosenArms } from "./layers/loose-arms.ts";
 import { closeBody, hipsOver, legsOf, placeHips, trunkRotations } from "./layers/posture.ts";
 import { type Pressure, planPressure } from "./layers/pressure.ts";
 import { pinSeats, smoothJoins } from "./layers/seat.ts";
@@ -83,6 +84,7 @@ export function renderWorkings(score: Score): Workings {
   const flight = on.flight ? flightFrames(feet, frames) : null;
   const { way, height, weight } = firstWay(pressure, body, tasks, skeleton, flight, on.balance);
   const wished = Float64Array.from(body.hipHeight);
+  if (on.alive) loosenArms(body, gait, way);
   trunkRotations(clip, body);
   const planned = feet.map((t) => ({ ankle: t.ankle.slice(), toeBend: t.toeBend.slice() }));
   const rounds = on.balance ? ROUNDS : 0;

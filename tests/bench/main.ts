@@ -13,6 +13,7 @@ import leftOut from "./left-out.bench.ts";
 import optimiser from "./optimiser.bench.ts";
 import planning from "./planning.bench.ts";
 import quality from "./quality.bench.ts";
+import studio from "./studio.bench.ts";
 import styles from "./styles.bench.ts";
 import type { BenchModule, BenchOptions, Figure } from "./types.ts";
 
@@ -27,6 +28,7 @@ const MODULES: BenchModule[] = [
   groundTruth,
   leftOut,
   quality,
+  studio,
   browser,
 ];
 

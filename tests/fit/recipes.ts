@@ -73,7 +73,7 @@ function faster(real: RealGait): RealGait {
       hip: { ...real.curves_deg.hip, mean: hip.map((v) => middle + 1.13 * (v - middle) + 1.5) },
       knee: { ...real.curves_deg.knee, mean: knee },
     },
-    pelvis_vertical_excursion_cm: { mean: 4.6 },
+    pelvis_vertical_excursion_cm: { ...real.pelvis_vertical_excursion_cm, mean: 4.6 },
   };
 }
 

@@ -6,6 +6,7 @@ import { SHARED } from "./shared.ts";
 
 interface Average {
   mean: number;
+  sd: number;
 }
 interface Curve {
   mean: number[];

@@ -4,6 +4,7 @@ import { type GaitAnalysis, measureGait } from "../../src/core/quality/gait.ts";
 import { DEFAULT_PROPORTIONS, REFERENCE_HEIGHT } from "../../src/core/skeleton/skeleton.ts";
 import { straightScore } from "../../src/studio/choreography/straight.ts";
 import type { GaitShape } from "../../src/studio/gait-shape.ts";
+import { paceAt } from "../../src/studio/pace.ts";
 import { renderScore } from "../../src/studio/render.ts";
 import type { Pace } from "../../src/studio/score.ts";
 import { STYLES, styleScore } from "../../src/studio/styles.ts";
@@ -79,6 +80,16 @@ const OTHERS = [
   "bandai-2/walk/exhausted",
 ];
 
+/** Groups that walk as adults walk at their speed; who plays an old person shuffles, with short quick steps. */
+const WALKERS = [
+  "bandai-1/walk/normal",
+  "bandai-1/walk/tired",
+  "bandai-1/walk/happy",
+  "bandai-2/walk/exhausted",
+  "bandai-2/walk/normal",
+  "bandai-2/walk/active",
+];
+
 function paceOfReal(real: RealGait): Partial<Pace> {
   return {
     length: real.step_length_cm.mean / 100,
@@ -142,6 +153,84 @@ describe("gaits of the studio", () => {
       expect(ours[k], joint).toBeGreaterThanOrEqual(theirs[k]);
     });
   });
+
+  it.skipIf(!hasShared)(
+    "speed, step length, cadence, stance, excursions and clearance lie in the range of real walkers",
+    () => {
+      const walkers = WALKERS.map(realGait);
+      /** A line through the walkers, over the logarithm of speed, and twice the deviation of single cycles from it. */
+      const line = (read: (g: RealGait) => number, within: (g: RealGait) => number) => {
+        const points = walkers.map((g) => [Math.log(g.speed_cm_s.mean / 100), read(g)]);
+        const n = points.length;
+        const mx = points.reduce((a, p) => a + p[0], 0) / n;
+        const my = points.reduce((a, p) => a + p[1], 0) / n;
+        const slope =
+          points.reduce((a, p) => a + (p[0] - mx) * (p[1] - my), 0) /
+          points.reduce((a, p) => a + (p[0] - mx) ** 2, 0);
+        const at = (speed: number) => my + slope * (Math.log(speed) - mx);
+        const square = walkers.map((g) => (read(g) - at(g.speed_cm_s.mean / 100)) ** 2 + within(g) ** 2);
+        const spread = 2 * Math.sqrt(square.reduce((a, b) => a + b, 0) / n);
+        return { at, spread };
+      };
+      const share = (read: (g: RealGait) => { mean: number; sd: number }) => (g: RealGait) =>
+        read(g).sd / read(g).mean;
+      const length = line(
+        (g) => Math.log(g.step_length_cm.mean / 100),
+        share((g) => g.step_length_cm),
+      );
+      const cadence = line(
+        (g) => Math.log(g.cadence_steps_min.mean),
+        share((g) => g.cadence_steps_min),
+      );
+      const stance = line(
+        (g) => g.stance_fraction.mean,
+        (g) => g.stance_fraction.sd,
+      );
+      const double = line(
+        (g) => g.double_support_fraction.mean,
+        (g) => g.double_support_fraction.sd,
+      );
+      const rows = [
+        "speed: step length (real, spread), cadence, stance, double support, rise, sway, clearance, arm",
+      ];
+      for (const speed of [1, 1.15, 1.3, 1.45]) {
+        const f = gaitOf({ ...paceAt(speed), noise: 0.3 }).facts;
+        const near = walkers.filter((g) => Math.abs(g.speed_cm_s.mean / 100 - f.speed) < 0.3);
+        const range = (
+          key: "pelvis_vertical_excursion_cm" | "pelvis_lateral_excursion_cm" | "swing_min_tip_clearance_cm",
+        ) =>
+          [
+            Math.min(...near.map((g) => g[key].mean - 2 * g[key].sd)),
+            Math.max(...near.map((g) => g[key].mean + 2 * g[key].sd)),
+          ] as const;
+        const within = (value: number, [low, high]: readonly [number, number], what: string) => {
+          expect(value, `${what} at ${speed} m/s`).toBeGreaterThanOrEqual(low);
+          expect(value, `${what} at ${speed} m/s`).toBeLessThanOrEqual(high);
+          return `${value.toFixed(1)} (${low.toFixed(1)} to ${high.toFixed(1)})`;
+        };
+        const ratio = (value: number, real: { at(speed: number): number; spread: number }, what: string) => {
+          const off = Math.log(value) - real.at(f.speed);
+          expect(Math.abs(off), `${what} at ${speed} m/s`).toBeLessThanOrEqual(real.spread);
+          return `${value.toFixed(2)} (${Math.exp(real.at(f.speed)).toFixed(2)}, ${(100 * real.spread).toFixed(0)} %)`;
+        };
+        rows.push(
+          [
+            `${f.speed.toFixed(2)} m/s: ${ratio(f.stepLength, length, "step length")}`,
+            ratio(f.cadence, cadence, "cadence"),
+            `${f.stance.toFixed(3)} (${stance.at(f.speed).toFixed(3)})`,
+            `${f.doubleSupport.toFixed(3)} (${double.at(f.speed).toFixed(3)})`,
+            within(100 * f.pelvisVertical, range("pelvis_vertical_excursion_cm"), "rise"),
+            within(100 * f.pelvisLateral, range("pelvis_lateral_excursion_cm"), "sway"),
+            within(100 * f.tipClearance, range("swing_min_tip_clearance_cm"), "clearance"),
+            f.armRange.toFixed(0),
+          ].join(", "),
+        );
+        expect(Math.abs(f.stance - stance.at(f.speed)), rows.at(-1)).toBeLessThanOrEqual(0.04);
+        expect(Math.abs(f.doubleSupport - double.at(f.speed)), rows.at(-1)).toBeLessThanOrEqual(0.08);
+      }
+      console.log(rows.join("\n"));
+    },
+  );
 
   it("walks at every height with the same rhythm for its leg, and steps where it is told", () => {
     for (const height of [1.55, 1.75, 1.92]) {

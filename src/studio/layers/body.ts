@@ -19,6 +19,7 @@ import { layersOf, moodOf, type Score } from "../score.ts";
 import type { FootTrack } from "./feet.ts";
 import type { Gait } from "./gait.ts";
 import { addPhrase } from "./phrase.ts";
+import { addSingleSteps } from "./single-steps.ts";
 
 const DEG = Math.PI / 180;
 
@@ -131,7 +132,7 @@ export function renderBody(
       leg * (STANDING_HEIGHT + k * (walking - STANDING_HEIGHT)) -
       scale * (mood.crouch * (0.35 + 0.65 * k) + k * mood.bounce * (0.5 + 0.5 * Math.cos(2 * w - 0.6)));
   }
-  singleSteps(b, feet, gait, skeleton, frames);
+  addSingleSteps(b, score, facing, gait, skeleton, on.gaze ? gazing(score, frames) : make(), frames);
   if (score.actor.phrase) addPhrase(b, gait, score.actor.phrase);
   if (on.alive) alive(b, score, gait, frames);
   return b;
@@ -168,39 +169,16 @@ function gazeYaw(
   return out;
 }
 
-/** Steps outside a rhythm: the swing side drops a little, the trunk leans against it, the arms float out. */
-function singleSteps(
-  b: BodyAngles,
-  feet: readonly [FootTrack, FootTrack],
-  gait: Gait,
-  skeleton: Skeleton,
-  frames: number,
-): void {
-  const lift = new Float64Array(2 * frames);
-  for (let side = 0; side < 2; side++) {
-    const t = feet[side];
-    for (let f = 0; f < frames; f++) {
-      const u = t.swing[f];
-      if (u > 0 && !t.turning[f])
-        lift[2 * f + side] = (1 - Math.min(1, gait.amount[f] * 1.4)) * Math.sin(Math.PI * u) ** 2;
-    }
-  }
-  gaussian(lift, 2, 3.5);
+/** Where the eyes have a target, 1, softly; else 0. */
+function gazing(score: Score, frames: number): Float64Array {
+  const out = new Float64Array(frames);
+  let k = -1;
   for (let f = 0; f < frames; f++) {
-    const l = lift[2 * f];
-    const r = lift[2 * f + 1];
-    // Positive roll: left side up. The swing side hangs.
-    b.pelvisRoll[f] += 2.4 * DEG * (r - l);
-    b.chestRoll[f] += 2.6 * DEG * (l - r) * -1;
-    b.chestPitch[f] += 1.5 * DEG * (l + r);
-    b.headPitch[f] += 5 * DEG * (l + r);
-    for (let side = 0; side < 2; side++) {
-      b.arms[side].out[f] += 4 * DEG * (l + r);
-      b.arms[side].elbow[f] += 6 * DEG * (l + r);
-      b.arms[side].swing[f] += 4 * DEG * (side === 0 ? r - l : l - r);
-    }
-    b.hipHeight[f] -= 0.008 * skeleton.legLength * (l + r);
+    while (k + 1 < score.gaze.length && score.gaze[k + 1].time <= f / CLIP_RATE) k++;
+    out[f] = k >= 0 && score.gaze[k].target ? 1 : 0;
   }
+  gaussian(out, 1, 8);
+  return out;
 }
 
 /** Breathing, sway, the ring after each strike, and a little seeded noise: without them a figure looks cast. */

@@ -13,6 +13,7 @@ import {
   readKeys,
   readMonotone,
   smoothstep,
+  softEnvelope,
   unit,
 } from "../../core/math/interpolate.ts";
 import { contactsOfPitch, pivotPlace, plantedAnkle } from "../../core/motion/sole.ts";
@@ -153,6 +154,7 @@ export function renderFoot(score: Score, foot: Foot, skeleton: Skeleton, frames:
     }
   }
   for (const m of moves) if (!isPivot(m) && m.kind !== "slide") swing(track, m, skeleton, gait, mood);
+  boundToes(track, shape);
   return track;
 }
 
@@ -268,6 +270,12 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, m
   };
   const r0 = rawSpeed(0);
   const r1 = rawSpeed(1);
+  const bendAt = (pitch: number) => {
+    plantedAnkle(out, shape, pitch);
+    return out[2];
+  };
+  const bend0 = bendAt(pitch0);
+  const bendSpeed0 = (bend0 - bendAt(pitch0 - speed0 * 0.002)) / 0.002;
   const n = last - first + 1;
   const path = new Float64Array(3 * n);
   let lack = 0;
@@ -296,12 +304,21 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, m
     const floor = -lowestOfFoot(shape, track.pitch[f]) + 0.0005;
     if (u > 0.06) path[3 * i + 1] = Math.max(path[3 * i + 1], floor);
     track.ankle.set([path[3 * i], path[3 * i + 1], path[3 * i + 2]], 3 * f);
-    plantedAnkle(out, shape, pitch0);
     const bend =
-      out[2] * Math.exp(-(u * d) / 0.05) + 4 * DEG * smoothstep((u - 0.6) / 0.4) * (walk ? m.strike : 0);
-    track.toeBend[f] = boundedBend(shape, path[3 * i + 1], track.pitch[f], bend, u);
+      decay(bend0, bendSpeed0, u * d) + 4 * DEG * smoothstep((u - 0.6) / 0.4) * (walk ? m.strike : 0);
+    track.toeBend[f] = bend;
     track.contacts[f] = 0;
   }
+}
+
+/** Seconds in which unloaded toes spring back, and how much further than at toe-off they may bend meanwhile. */
+const SPRING = 0.032;
+const FURTHER = 0.15;
+
+/** A bend that was changing when the foot left the ground, seconds later: critically damped back to straight. */
+function decay(bend: number, speed: number, t: number): number {
+  const rate = Math.min(speed, (FURTHER * bend) / SPRING) + bend / SPRING;
+  return (bend + rate * t) * Math.exp(-t / SPRING);
 }
 
 /** A small step's lift: quick off the ground and quick down, so that the foot is seen to leave and to land. */
@@ -327,15 +344,43 @@ export function lowestOfFoot(shape: FootShape, pitch: number): number {
 /** Least height of heel and ball over the ground at a fraction of the swing, metres at a leg of 0.93 m. */
 export const clearanceAt = (u: number): number => 0.012 * readMonotone([0, 0.15, 0.85, 1], [0, 1, 1, 0], u);
 
-/** A toe bend that keeps the tip at least 3 mm up, 7 in mid-swing. */
-export function boundedBend(shape: FootShape, ankle: number, pitch: number, bend: number, u: number): number {
-  const s = Math.sin(pitch);
-  const c = Math.cos(pitch);
-  const ball = ankle + shape.ballForward * s - (shape.ankleHeight - shape.ballHeight) * c;
-  const tip = (b: number) =>
-    ball + shape.tipForward * Math.sin(pitch + b) - shape.ballHeight * Math.cos(pitch + b);
-  let b = bend;
-  const least = 0.003 + 0.35 * clearanceAt(u);
-  for (let k = 0; k < 24 && tip(b) < least; k++) b += 2.5 * DEG;
-  return Math.min(b, 65 * DEG);
+/** Share of the swing over which the toes' tip leaves the ground, and comes back to it. */
+const TIP_UP = 0.1;
+/** Frames over which toes that must give way do so, and over which that begins and ends at the swing's ends. */
+const GIVE = 3;
+/** Most that toes bend. */
+const MOST_BEND = 65 * DEG;
+
+/**
+ * Bends the toes of an airborne foot so that their tip stays at least 3 mm up, 7 in mid-swing, from the ground at the swing's
+ * ends; softly, also where the foot hangs so steeply that a little less height asks for a lot of bend. Mutates the bends.
+ */
+export function boundToes(track: FootTrack, shape: FootShape): void {
+  const frames = track.yaw.length;
+  const reach = Math.hypot(shape.tipForward, shape.ballHeight);
+  const droop = Math.atan2(shape.ballHeight, shape.tipForward);
+  const airborne = (f: number) => track.swing[f] > 0 && !track.turning[f];
+  for (let from = 0; from < frames; from++) {
+    if (!airborne(from)) continue;
+    let to = from;
+    while (to + 1 < frames && airborne(to + 1) && track.swing[to + 1] >= track.swing[to]) to++;
+    const lacks = new Float64Array(to - from + 1);
+    for (let f = from; f <= to; f++) {
+      const u = track.swing[f];
+      const pitch = track.pitch[f];
+      const rise = shape.ankleHeight - shape.ballHeight;
+      const ball = track.ankle[3 * f + 1] + shape.ballForward * Math.sin(pitch) - rise * Math.cos(pitch);
+      const least = 0.003 * unit(u / TIP_UP) * unit((1 - u) / TIP_UP) + 0.35 * clearanceAt(u);
+      // Tip over the ground: ball + reach sin(pitch + bend - droop).
+      const needed = Math.asin(Math.max(-1, Math.min(1, (least - ball) / reach))) + droop - pitch;
+      lacks[f - from] = Math.max(0, Math.min(MOST_BEND, needed) - track.toeBend[f]);
+    }
+    const soft = softEnvelope(lacks, GIVE);
+    for (let f = from; f <= to; f++) {
+      const i = f - from;
+      const end = smoothstep(Math.min(i + 1, to - f + 1) / (GIVE + 1));
+      track.toeBend[f] = Math.min(MOST_BEND, track.toeBend[f] + Math.max(lacks[i], end * soft[i]));
+    }
+    from = to;
+  }
 }

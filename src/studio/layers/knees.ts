@@ -13,7 +13,7 @@
 import { CLIP_RATE } from "../../core/capture/clip.ts";
 import { factorBand, solveBand } from "../../core/optimize/banded-cholesky.ts";
 import type { FootShape } from "../../core/skeleton/skeleton.ts";
-import { boundedBend, clearanceAt, type FootTrack, lowestOfFoot } from "./feet.ts";
+import { boundToes, clearanceAt, type FootTrack, lowestOfFoot } from "./feet.ts";
 
 /** Frames between the samples of a second difference: 60 and 30 a second. */
 const SPANS = [1, 2];
@@ -154,8 +154,8 @@ function calmSwing(foot: FootTrack, legs: Legs, side: 0 | 1, knee: Float64Array,
     const floor = clearanceAt(foot.swing[f]) + 0.0005 - lowestOfFoot(legs.shape, pitch[f]);
     ankle[3 * f + 1] = Math.max(y, Math.min(ankle[3 * f + 1], floor));
     ankle[3 * f + 2] = hip[3 * f + 2] + share * dz;
-    foot.toeBend[f] = boundedBend(legs.shape, ankle[3 * f + 1], pitch[f], foot.toeBend[f], foot.swing[f]);
   }
+  boundToes(foot, legs.shape);
 }
 
 function calmHips(

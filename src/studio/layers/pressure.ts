@@ -10,6 +10,7 @@ import { gaussian, readMonotone } from "../../core/math/interpolate.ts";
 import type { Skeleton } from "../../core/skeleton/skeleton.ts";
 import { type GaitShape, shapeOf } from "../gait-shape.ts";
 import type { Score, ScoreStep } from "../score.ts";
+import { pulse } from "./body.ts";
 import type { FootTrack } from "./feet.ts";
 
 export interface Pressure {
@@ -35,6 +36,7 @@ export function planPressure(
 ): Pressure {
   const gait = shapeOf(score.actor);
   const left = shares(score, frames, gait);
+  restOneLeg(left, score);
   const point = new Float64Array(2 * frames);
   const scale = skeleton.foot.ballForward / 0.125;
   const along = [0, 1].map((side) => footProgress(score, side === 0 ? "left" : "right", frames, gait));
@@ -54,6 +56,30 @@ export function planPressure(
   }
   gaussian(point, 2, 2.2);
   return { point, left };
+}
+
+/** Share by which a writer stands on the leg of the writing side more than on the other, and seconds to go over to it. */
+const RESTING = 0.17;
+const TO_REST = 0.8;
+
+/** At a board the weight goes over one leg and comes back before the next step. */
+function restOneLeg(left: Float64Array, score: Score): void {
+  for (const event of score.events) {
+    if (event.type !== "write") continue;
+    const { task } = event;
+    const landed = score.steps.reduce((t, s) => (s.lift < task.contact ? Math.max(t, s.land) : t), 0);
+    const next = score.steps.reduce(
+      (t, s) => (s.lift >= task.contact ? Math.min(t, s.lift) : t),
+      Number.POSITIVE_INFINITY,
+    );
+    const from = landed + 0.3;
+    const to = Math.min(task.end + 0.4, next - 0.5);
+    // A tap in passing has no time to rest.
+    if (to - from < 2 * TO_REST) continue;
+    const sign = task.hand === "left" ? 1 : -1;
+    for (let f = Math.ceil(from * CLIP_RATE); f < Math.min(left.length, to * CLIP_RATE); f++)
+      left[f] += sign * RESTING * pulse(f / CLIP_RATE, from, from + TO_REST, to - TO_REST, to);
+  }
 }
 
 /** How far ahead of the ankle the pressure is under a foot, metres. */

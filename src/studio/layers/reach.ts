@@ -89,13 +89,15 @@ export function reach(
 /** A carried box follows the pelvis: its place between the table's and the body's. */
 export function carryBox(clip: Clip, body: BodyAngles, tasks: TaskLayer, skeleton: Skeleton): void {
   const scale = skeleton.height / 1.75;
-  const ahead = 0.1 * scale + tasks.boxSize[2] / 2 + 0.05;
+  const ahead = 0.1 * scale + tasks.boxSize[2] / 2 + 0.035;
   const smooth = new Float64Array(3 * clip.frames);
   for (let f = 0; f < clip.frames; f++) {
     smooth[3 * f] = clip.root[3 * f];
     smooth[3 * f + 1] = clip.root[3 * f + 1];
     smooth[3 * f + 2] = clip.root[3 * f + 2];
   }
+  // Arms give a little: the box does not take every rise and fall of the hips.
+  gaussian(smooth, 3, 3.5);
   const yaw = Float64Array.from(body.chestYaw);
   gaussian(yaw, 1, 4);
   if (!tasks.original) {

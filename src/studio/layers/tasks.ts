@@ -116,11 +116,43 @@ function write(
     const up = Math.max(-0.2, Math.min(1.1, 0.55 + 1.1 * high));
     const n = Math.hypot(1, up);
     layer.hands.point[side].set([s / n, up / n, c / n], 3 * f);
-    body.chestPitch[f] += w * (3 - 6 * high) * DEG;
-    body.headPitch[f] += w * (-12 * high + 2) * DEG;
-    body.chestRoll[f] += w * (side === 1 ? 1 : -1) * 0.9 * DEG;
-    body.arms[side].out[f] += 0.3 * w * 20 * DEG;
+    standAtBoard(f, w, side, high, p, body, skeleton);
   }
+}
+
+/**
+ * Standing at a board: the weight goes over the writing side's leg and the other knee rests, that shoulder comes forward,
+ * trunk and eyes follow the pen, the free arm hangs loosely bent.
+ */
+function standAtBoard(
+  f: number,
+  w: number,
+  side: number,
+  high: number,
+  pen: readonly [number, number, number],
+  body: BodyAngles,
+  skeleton: Skeleton,
+): void {
+  const sign = side === 0 ? 1 : -1;
+  // Chest and head turn after the pen: to the writer's right is a smaller yaw.
+  const aside = Math.atan2(pen[0], 0.55);
+  const above = Math.atan2(pen[1], 0.55);
+  body.chestPitch[f] += w * ((4.5 - 6 * high) * DEG - 0.15 * above);
+  body.pelvisPitch[f] += w * (2 - 1.5 * high) * DEG;
+  body.headPitch[f] += w * ((-12 * high + 2) * DEG - 0.8 * above);
+  body.pelvisYaw[f] -= w * sign * 2.5 * DEG;
+  body.chestYaw[f] -= w * (sign * 7 * DEG + 0.35 * aside);
+  body.headYaw[f] -= w * (0.7 * aside - sign * 2 * DEG);
+  // The resting leg's side hangs; the reaching shoulder rises a little over it.
+  body.pelvisRoll[f] += w * sign * 2.6 * DEG;
+  body.chestRoll[f] += w * sign * (1.2 + 2.5 * high) * DEG;
+  body.headRoll[f] -= w * sign * 2.2 * DEG;
+  body.arms[side].out[f] += 0.3 * w * 20 * DEG;
+  const rest = body.arms[1 - side];
+  rest.elbow[f] += w * 12 * DEG;
+  rest.swing[f] += w * 4 * DEG;
+  rest.turn[f] += w * 8 * DEG;
+  body.hipHeight[f] -= w * 0.009 * skeleton.legLength;
 }
 
 /** Pen place on the board at a time: right, up, and how far off the board between strokes. */
@@ -219,8 +251,9 @@ function holdBox(
     layer.boxYaw[f] = from.yaw;
     // Ten kilograms in front bring the trunk back.
     const lean = layer.load.share[f] * Math.min(up, down);
-    body.chestPitch[f] -= lean * 32 * DEG;
-    body.pelvisPitch[f] -= lean * 8 * DEG;
+    body.chestPitch[f] -= lean * 44 * DEG;
+    body.pelvisPitch[f] -= lean * 14 * DEG;
+    body.headPitch[f] += lean * 20 * DEG;
     for (const arm of body.arms) {
       const k = 1 - Math.min(up, down) * held;
       arm.swing[f] *= k;
@@ -287,8 +320,8 @@ function sit(event: SitEvent, body: BodyAngles, layer: TaskLayer, skeleton: Skel
     const rest = seated * (1 - lean);
     for (const arm of body.arms) {
       // Hands come to rest over the thighs.
-      arm.swing[f] += lean * 30 * DEG + rest * 24 * DEG;
-      arm.elbow[f] += lean * 15 * DEG + rest * 52 * DEG;
+      arm.swing[f] += lean * 30 * DEG + rest * 22 * DEG;
+      arm.elbow[f] += lean * 15 * DEG + rest * 24 * DEG;
       arm.turn[f] += rest * 12 * DEG;
       arm.out[f] += rest * 4 * DEG;
     }
