@@ -8,6 +8,7 @@ import { SEGMENT, type Segment } from "../../core/contacts/active-learning.ts";
 import { contactsCsv, parseContactsCsv } from "../../core/contacts/csv.ts";
 import { LabelTrack } from "../../core/contacts/label-track.ts";
 import type { Step } from "../../core/steps/types.ts";
+import { compareSession } from "../compare/session.ts";
 import type { Editor } from "../editor.ts";
 import { download } from "../formats/download.ts";
 import type { Capture, Stretch } from "./capture.ts";
@@ -488,6 +489,11 @@ export class CaptureSession {
     c.steps = m.steps;
     c.stepsEdited = false;
     this.changed();
+  }
+
+  /** Plans the capture's own tasks and lays the capture beside the plan. */
+  compare(c: Capture): void {
+    compareSession(this.e).capture(c);
   }
 
   /** The capture joins, or leaves, the library that the planner uses. */
