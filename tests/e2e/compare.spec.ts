@@ -36,8 +36,7 @@ test("the left-out sequence stands beside its plan, and leaves with another scen
 test("a capture that is dropped stands beside the plan of its tasks", async ({ page }) => {
   const errors: string[] = [];
   page.on("pageerror", (e) => errors.push(e.message));
-  const turning =
-    studioSet().find((p) => p.name === "walk-and-turn") ?? studioSet()[0];
+  const turning = studioSet().find((p) => p.name === "walk-and-turn") ?? studioSet()[0];
   const { clip } = renderScore(turning.score);
   await page.goto("/");
   await page.getByRole("button", { name: "Labels", exact: true }).waitFor();
