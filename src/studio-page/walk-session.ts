@@ -47,7 +47,7 @@ export class WalkSession {
       if (answer.id !== this.id) return;
       if (answer.type === "walked") this.heard.walked(answer);
       else if (answer.type === "saved") this.heard.saved(answer.name, answer.text);
-      else this.heard.failed(answer.message);
+      else if (answer.type === "failed") this.heard.failed(answer.message);
     };
     worker.onerror = (event) => {
       event.preventDefault();

@@ -3,13 +3,14 @@ import { writeBvh } from "../core/capture/bvh-write.ts";
 import { measureGait } from "../core/quality/gait.ts";
 import { rangeAt } from "../studio/gait-range.ts";
 import { layerTracks } from "../studio/layer-tracks.ts";
-import { renderWorkings, type Workings } from "../studio/render.ts";
+import { leftOutScore } from "../studio/left-out.ts";
+import { renderScore, renderWorkings, type Workings } from "../studio/render.ts";
 import { CATEGORY_OF, type Score } from "../studio/score.ts";
 import { readScore, writeScore } from "../studio/score-file.ts";
 import { walkScore } from "../studio/walk-score.ts";
-import type { StudioRequest, StudioResponse, Walked } from "./studio-protocol.ts";
+import type { PerformedSequence, StudioRequest, StudioResponse, Walked } from "./studio-protocol.ts";
 
-type Render = Exclude<StudioRequest, { type: "save" }>;
+type Render = Extract<StudioRequest, { type: "walk" | "score" }>;
 
 export class StudioService {
   private waiting: Render | null = null;
@@ -26,6 +27,10 @@ export class StudioService {
   hear(request: StudioRequest): void {
     if (request.type === "save") {
       this.save(request.id, request.what);
+      return;
+    }
+    if (request.type === "left-out") {
+      this.perform(request.id);
       return;
     }
     const idle = this.waiting === null;
@@ -52,6 +57,26 @@ export class StudioService {
     } catch (error) {
       this.fail(request.id, error);
     }
+  }
+
+  private perform(id: number): void {
+    const score = leftOutScore();
+    const { clip, sidecar } = renderScore(score);
+    const place = (foot: "left" | "right") => ({ foot, ...score.start[foot], y: 0 });
+    const performed: PerformedSequence = {
+      type: "performed",
+      id,
+      name: score.name,
+      height: score.actor.height,
+      proportions: score.actor.proportions,
+      frames: clip.frames,
+      root: Float32Array.from(clip.root),
+      rotations: Float32Array.from(clip.rotations),
+      start: [place("left"), place("right")],
+      steps: score.steps.map(({ foot, x, z, yaw }) => ({ foot, x, y: 0, z, yaw })),
+      tasks: sidecar.tasks,
+    };
+    this.answer(performed, [performed.root.buffer as ArrayBuffer, performed.rotations.buffer as ArrayBuffer]);
   }
 
   private save(id: number, what: "bvh" | "score"): void {

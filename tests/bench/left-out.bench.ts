@@ -4,13 +4,14 @@
  *
  * The peer is what copying costs: the same scene planned with the performance left in.
  */
+
+import { nearestDistances } from "../../src/core/quality/footstep-distance.ts";
 import { parseScene } from "../../src/core/scene/schema.ts";
 import { planScene } from "../../src/core/tasks/plan-scene.ts";
 import type { Plan } from "../../src/core/tasks/plan-types.ts";
 import { assembleLibrary, prepareClip } from "../../src/core/templates/build-library.ts";
 import { leftOutScore } from "../../src/studio/left-out.ts";
 import { type Rendered, renderScore } from "../../src/studio/render.ts";
-import { nearestDistances } from "../support/footstep-distance.ts";
 import { studio } from "../support/library.ts";
 import { figure, median } from "./measure.ts";
 import type { BenchModule, Figure } from "./types.ts";

@@ -8,6 +8,23 @@ const planned = (page: Page) =>
     timeout: 120_000,
   });
 
+/** The picture once it has come to rest: two screenshots in a row are the same. */
+async function restingBrightness(page: Page, path: string): Promise<number> {
+  let before = Number.NaN;
+  await expect
+    .poll(
+      async () => {
+        const now = await brightness(page, path);
+        const same = now === before;
+        before = now;
+        return same;
+      },
+      { timeout: 20_000 },
+    )
+    .toBe(true);
+  return before;
+}
+
 /** Mean brightness of the room's picture, 0 to 255. */
 async function brightness(page: Page, path: string): Promise<number> {
   const png = await page.locator("#stage").screenshot({ path });
@@ -118,8 +135,7 @@ test("storage closed and corrupt, markup in names, a lost drawing context, a pla
   // The drawing context is lost and comes back: the picture is as bright as before, with nothing lying over it.
   await expect(page.locator(".toast")).toHaveCount(0, { timeout: 15_000 });
   await page.evaluate(() => window.stepwright?.seek(1));
-  await page.waitForTimeout(500);
-  const bright = await brightness(page, "artefacts/context-before.png");
+  const bright = await restingBrightness(page, "artefacts/context-before.png");
   const lost = await page.evaluate(async () => {
     const canvas = document.querySelector("#stage") as HTMLCanvasElement;
     const gl = canvas.getContext("webgl2");
@@ -138,8 +154,7 @@ test("storage closed and corrupt, markup in names, a lost drawing context, a pla
     return gl.isContextLost() ? "lost" : "back";
   });
   expect(lost).toBe("back");
-  await page.waitForTimeout(500);
-  const after = await brightness(page, "artefacts/context-restored.png");
+  const after = await restingBrightness(page, "artefacts/context-restored.png");
   expect(bright).toBeGreaterThan(40);
   expect(Math.abs(after - bright)).toBeLessThan(2);
   expect(errors).toEqual([]);

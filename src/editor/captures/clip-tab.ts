@@ -102,8 +102,8 @@ function stepsSection(s: CaptureSession, c: Capture): TemplateResult {
 
 function librarySection(s: CaptureSession, c: Capture): TemplateResult {
   return html`<section class="section"><header><h3>Library</h3><span>${c.inLibrary ? "in your library" : "not in it"}</span></header>
-    <p class="note">Steps and tasks of this capture become templates beside the shipped ones. They stay in this browser.</p>
-    <div class="actions"><button class="outline" @click=${() => void s.setInLibrary(c, !c.inLibrary)}>${c.inLibrary ? "Leave the library" : "Join the library"}</button><button class="plain danger" @click=${() => void s.close(c)}>Close the capture</button></div>
+    <p class="note">Steps and tasks of this capture become templates beside the shipped ones. They stay in this browser. Left out, a capture can be laid beside a plan of its own tasks.</p>
+    <div class="actions"><button class="outline" @click=${() => void s.setInLibrary(c, !c.inLibrary)}>${c.inLibrary ? "Leave the library" : "Join the library"}</button><button class="outline" @click=${() => s.compare(c)}>Compare with the plan</button><button class="plain danger" @click=${() => void s.close(c)}>Close the capture</button></div>
   </section>`;
 }
 

@@ -7,6 +7,7 @@ import type { SidecarTask } from "../../core/capture/sidecar.ts";
 import { SEGMENT, type Segment } from "../../core/contacts/active-learning.ts";
 import { LabelTrack } from "../../core/contacts/label-track.ts";
 import type { PlannerResponse } from "../../workers/protocol.ts";
+import { compareSession } from "../compare/session.ts";
 import type { Editor } from "../editor.ts";
 import { download } from "../formats/download.ts";
 import type { Capture, Stretch } from "./capture.ts";
@@ -448,7 +449,11 @@ export class CaptureSession {
     this.changed();
   }
 
-  /** The capture joins, or leaves, the library that the planner uses. */
+  /** Plans the capture's own tasks and lays the capture beside the plan. */
+  compare(c: Capture): void {
+    compareSession(this.e).capture(c);
+  }
+
   /**
    * Steps on stones are blended of this capture too, from the labels as they are now.
    *

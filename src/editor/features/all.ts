@@ -2,6 +2,7 @@
 import { basics } from "./basics.ts";
 import { captures } from "./captures.ts";
 import { characters } from "./characters.ts";
+import { comparison } from "./comparison.ts";
 import { crowds } from "./crowds.ts";
 import type { Feature } from "./feature.ts";
 import { footsteps } from "./footsteps.ts";
@@ -20,4 +21,5 @@ export const ALL_FEATURES: readonly Feature[] = [
   stones,
   characters,
   crowds,
+  comparison,
 ];

@@ -56,6 +56,17 @@ export class Figure {
     });
   }
 
+  /** Seen through and in one colour: a second figure beside the scene's own. */
+  makeGhost(colour: string, opacity: number): void {
+    this.mesh.castShadow = false;
+    for (const b of this.blobs) b.visible = false;
+    for (const m of this.materials) {
+      m.color.set(colour);
+      m.transparent = true;
+      m.opacity = opacity;
+    }
+  }
+
   /** Poses from a row of root (3) and rotations (JOINT_COUNT x 4). */
   setPose(root: ArrayLike<number>, r: number, rotations: ArrayLike<number>, o: number): void {
     this.bones[0].position.set(root[r], root[r + 1], root[r + 2]);
