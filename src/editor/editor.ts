@@ -146,9 +146,10 @@ export class Editor {
 
   /** The scene is another: drawn, planned, shown. */
   sceneChanged(): void {
+    // The planner first: it plans while the page draws.
+    this.plan.ask();
     this.layers.update("scene");
     this.character.follow();
-    this.plan.ask();
     this.playback.show();
   }
 

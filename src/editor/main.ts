@@ -19,6 +19,8 @@ declare global {
       feetAt(frame: number): { root: number[]; contacts: number } | null;
       seek(time: number): void;
       restartPlanner(): void;
+      /** Whether the room is drawn: not, to measure the rest. */
+      draw(on: boolean): void;
       crowd(): {
         seconds: number;
         agents: number;
@@ -87,6 +89,7 @@ async function start(): Promise<void> {
     },
     seek: (time) => editor.playback.seek(time),
     restartPlanner: () => editor.plan.restart(),
+    draw: (on) => editor.stage.hold(!on),
     crowd: () => {
       const { seconds, agents, left, ready, picked, story } = crowdSession(editor);
       return { seconds, agents, left, ready, picked, nodes: story?.x.length ?? 0 };

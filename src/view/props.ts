@@ -24,6 +24,7 @@ const tape = material("#bfa47a", 0.6);
 const board = material("#fbfbfa", 0.35);
 const frame = material("#b4b8bc", 0.4);
 const wall = material("#d9d8d4", 0.9);
+const pens = ["#2c3a63", "#b5483a", "#2f6f5a"].map((c) => material(c, 0.4));
 
 /** A soft dark spot: grounds what stands. */
 export function blob(width: number, depth: number, strength: number): Mesh {
@@ -34,7 +35,10 @@ export function blob(width: number, depth: number, strength: number): Mesh {
 }
 
 let blobTexture: CanvasTexture | null = null;
+const blobs = new Map<number, MeshBasicMaterial>();
 function blobMaterial(opacity: number): MeshBasicMaterial {
+  const made = blobs.get(opacity);
+  if (made) return made;
   if (!blobTexture) {
     const c = document.createElement("canvas");
     c.width = c.height = 64;
@@ -49,13 +53,15 @@ function blobMaterial(opacity: number): MeshBasicMaterial {
     }
     blobTexture = new CanvasTexture(c);
   }
-  return new MeshBasicMaterial({
+  const m = new MeshBasicMaterial({
     map: blobTexture,
     transparent: true,
     opacity,
     depthWrite: false,
     toneMapped: false,
   });
+  blobs.set(opacity, m);
+  return m;
 }
 
 function rounded(w: number, h: number, d: number, m: MeshStandardMaterial, radius = 0.01): Mesh {
@@ -206,14 +212,15 @@ function whiteboard(p: SceneProp): Object3D {
   panel.position.z = d / 2 + 0.012;
   const face = new Mesh(new PlaneGeometry(w - 0.05, h - 0.05), board.clone());
   (face.material as MeshStandardMaterial).map = drawing(w, h);
+  face.userData.own = true;
   face.rotation.y = Math.PI;
   face.position.z = 0.011;
   face.receiveShadow = true;
   const tray = rounded(0.5, 0.016, 0.06, frame, 0.006);
   tray.position.set(0, -h / 2 - 0.004, -0.01);
   g.add(panel, face, tray);
-  ["#2c3a63", "#b5483a", "#2f6f5a"].forEach((c, i) => {
-    const pen = new Mesh(new CylinderGeometry(0.008, 0.008, 0.11, 12).rotateZ(Math.PI / 2), material(c, 0.4));
+  pens.forEach((m, i) => {
+    const pen = new Mesh(new CylinderGeometry(0.008, 0.008, 0.11, 12).rotateZ(Math.PI / 2), m);
     pen.position.set(0.14 - 0.13 * i, -h / 2 + 0.013, -0.015);
     g.add(pen);
   });
@@ -229,7 +236,25 @@ function whiteboard(p: SceneProp): Object3D {
   return g;
 }
 
-/** The object of a prop, placed. Its `userData.prop` is the prop's id. */
+/** What the shape of a prop depends on: props of one key differ in where they stand and how they are turned alone. */
+export function propShape(p: SceneProp): string {
+  // A board's posts reach the ground.
+  return JSON.stringify([p.kind, p.size, p.kind === "board" ? p.position[1] : 0]);
+}
+
+/** Gives back what a prop's object holds on the graphics card; materials that props share stay. */
+export function disposeProp(o: Object3D): void {
+  o.traverse((part) => {
+    if (!(part instanceof Mesh)) return;
+    part.geometry.dispose();
+    if (part.userData.own !== true) return;
+    const own = part.material as MeshStandardMaterial;
+    own.map?.dispose();
+    own.dispose();
+  });
+}
+
+/** The object of a prop, unplaced. */
 export function createProp(p: SceneProp): Object3D {
   let o: Object3D;
   if (p.kind === "table") o = table(p);
@@ -246,9 +271,5 @@ export function createProp(p: SceneProp): Object3D {
     solid.receiveShadow = true;
     o = new Group().add(solid);
   }
-  const g = new Group().add(o);
-  g.position.set(...p.position);
-  g.rotation.y = p.yaw;
-  g.userData.prop = p.id;
-  return g;
+  return new Group().add(o);
 }

@@ -5,15 +5,9 @@
  */
 import {
   BufferGeometry,
-  CircleGeometry,
   Float32BufferAttribute,
-  Group,
   Line,
   LineBasicMaterial,
-  LineDashedMaterial,
-  LineLoop,
-  Mesh,
-  MeshBasicMaterial,
   NeutralToneMapping,
   type Object3D,
   PerspectiveCamera,
@@ -34,8 +28,9 @@ import { Figure } from "./character/figure.ts";
 import type { Guest } from "./character/guest.ts";
 import { type Footprint, FootprintLayer, type FootprintMode } from "./footprints.ts";
 import { FrameBudget } from "./frame-budget.ts";
-import { boxMesh, createProp } from "./props.ts";
+import { Furniture } from "./furniture.ts";
 import { createRoom, type Room } from "./room.ts";
+import { TaskMarks } from "./task-marks.ts";
 import { ROOMS, type Theme } from "./tokens.ts";
 
 /** Free part of the viewport in CSS pixels: what panels leave. */
@@ -46,6 +41,9 @@ export interface FreeRect {
   bottom: number;
 }
 
+/** The pen of the board. */
+const INK = new LineBasicMaterial({ color: "#b5483a" });
+
 export class Stage {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new ThreeScene();
@@ -55,15 +53,15 @@ export class Stage {
   private readonly footprints = new FootprintLayer();
   private figure: Figure | null = null;
   private guest: Guest | null = null;
-  private readonly props = new Group();
-  private readonly taskMarks = new Group();
-  private readonly boxes = new Map<string, Object3D>();
+  private readonly furniture = new Furniture();
+  private readonly marks = new TaskMarks();
   private readonly inkLines = new Map<number, Line>();
   private theme: Theme = "light";
   private waiting = 0;
   /** Farthest that a scene is framed from, metres. */
   private farthest = 13;
   private figureShown = true;
+  private held = false;
   private warming = false;
   private shaders = false;
   private readonly budget = new FrameBudget(() => this.drawFull());
@@ -97,7 +95,7 @@ export class Stage {
     this.controls.update();
     this.controls.addEventListener("change", () => this.invalidate());
     this.room = createRoom(this.scene);
-    this.scene.add(this.props, this.taskMarks, this.footprints.group);
+    this.scene.add(this.furniture.group, this.marks.group, this.footprints.group);
     this.setTheme("light");
     canvas.addEventListener("webglcontextrestored", () => {
       this.invalidate();
@@ -134,81 +132,8 @@ export class Stage {
 
   /** Furniture of a scene and the rings under its tasks; `selected` names tasks. */
   setScene(scene: Scene, selected: readonly string[]): void {
-    this.props.clear();
-    const lifted = scene.tasks.filter((t) => t.category === "lift");
-    for (const p of scene.props) {
-      // A box that a task lifts is drawn with the motion.
-      if (
-        p.kind === "box" &&
-        lifted.some(
-          (t) =>
-            Math.hypot(
-              t.position[0] - p.position[0],
-              t.position[1] - p.position[1],
-              t.position[2] - p.position[2],
-            ) < 0.35,
-        )
-      )
-        continue;
-      const prop = createProp(p);
-      prop.userData.id = p.id;
-      this.props.add(prop);
-    }
-    for (const [id, o] of this.boxes) {
-      if (!lifted.some((t) => t.id === id)) {
-        this.scene.remove(o);
-        this.boxes.delete(id);
-      }
-    }
-    for (const t of lifted) {
-      let o = this.boxes.get(t.id);
-      if (!o) {
-        o = boxMesh([0.36, 0.26, 0.28]);
-        this.boxes.set(t.id, o);
-        this.scene.add(o);
-      }
-      o.position.set(...t.position);
-      o.rotation.set(0, t.yaw, 0);
-    }
-    this.taskMarks.clear();
-    const ink = ROOMS[this.theme].ink;
-    for (const t of scene.tasks) {
-      const stem = new Line(
-        new BufferGeometry().setFromPoints([
-          new Vector3(t.position[0], 0.004, t.position[2]),
-          new Vector3(...t.position),
-        ]),
-        new LineDashedMaterial({
-          color: ink,
-          dashSize: 0.025,
-          gapSize: 0.03,
-          transparent: true,
-          opacity: 0.5,
-          depthTest: false,
-        }),
-      );
-      stem.computeLineDistances();
-      const ring = new LineLoop(
-        new BufferGeometry().setFromPoints(
-          Array.from(
-            { length: 64 },
-            (_, i) => new Vector3(0.3 * Math.sin((i * Math.PI) / 32), 0, 0.3 * Math.cos((i * Math.PI) / 32)),
-          ),
-        ),
-        new LineBasicMaterial({ color: ink, transparent: true, opacity: selected.includes(t.id) ? 1 : 0.45 }),
-      );
-      ring.position.set(t.position[0], 0.006, t.position[2]);
-      if (selected.includes(t.id)) {
-        const disc = new Mesh(
-          new CircleGeometry(0.3, 48).rotateX(-Math.PI / 2),
-          new MeshBasicMaterial({ color: ink, transparent: true, opacity: 0.1, depthWrite: false }),
-        );
-        disc.position.set(t.position[0], 0.003, t.position[2]);
-        disc.renderOrder = 1;
-        this.taskMarks.add(disc);
-      }
-      this.taskMarks.add(stem, ring);
-    }
+    this.furniture.set(scene);
+    this.marks.set(scene.tasks, selected, ROOMS[this.theme].ink);
     this.invalidate();
   }
 
@@ -223,7 +148,6 @@ export class Stage {
         this.scene.remove(before.group);
         before.dispose();
       }
-      figure.group.visible = this.guest === null;
       // A newer one takes this one's place when it is ready.
       figure.group.visible = this.guest === null && this.figureShown;
       this.scene.add(figure.group);
@@ -263,15 +187,7 @@ export class Stage {
 
   /** Boxes where the motion has them at a frame; those not carried then stay at the nearer end of their way. */
   setBoxes(tracks: readonly BoxTrack[], frame: number): void {
-    for (const t of tracks) {
-      const o = this.boxes.get(t.lift);
-      if (!o) continue;
-      if (frame < t.first) continue;
-      const k = Math.min(t.frames - 1, frame - t.first);
-      const m = t.transforms;
-      o.position.set(m[7 * k], m[7 * k + 1], m[7 * k + 2]);
-      o.quaternion.set(m[7 * k + 3], m[7 * k + 4], m[7 * k + 5], m[7 * k + 6]);
-    }
+    this.furniture.setBoxes(tracks, frame);
     this.invalidate();
   }
 
@@ -280,10 +196,13 @@ export class Stage {
     strokes.forEach((s, i) => {
       let line = this.inkLines.get(i);
       if (!line || line.userData.stroke !== s) {
-        if (line) this.scene.remove(line);
+        if (line) {
+          this.scene.remove(line);
+          line.geometry.dispose();
+        }
         const g = new BufferGeometry();
         g.setAttribute("position", new Float32BufferAttribute(s.points, 3));
-        line = new Line(g, new LineBasicMaterial({ color: "#b5483a" }));
+        line = new Line(g, INK);
         line.frustumCulled = false;
         line.userData.stroke = s;
         this.inkLines.set(i, line);
@@ -297,6 +216,7 @@ export class Stage {
     for (const [i, line] of this.inkLines) {
       if (i < strokes.length) continue;
       this.scene.remove(line);
+      line.geometry.dispose();
       this.inkLines.delete(i);
     }
     this.invalidate();
@@ -340,9 +260,7 @@ export class Stage {
 
   /** Id of the furniture that a ray meets first; null for none. */
   propOn(ray: Raycaster): string | null {
-    let o: Object3D | null = ray.intersectObjects(this.props.children, true)[0]?.object ?? null;
-    while (o && typeof o.userData.id !== "string") o = o.parent;
-    return o ? (o.userData.id as string) : null;
+    return this.furniture.on(ray);
   }
 
   /** Index of the footprint that a ray meets first; -1 for none. */
@@ -416,11 +334,21 @@ export class Stage {
     return this.canvas.toDataURL("image/png");
   }
 
+  /** Draws nothing while held: to measure everything else where there is no graphics card. */
+  hold(held: boolean): void {
+    this.held = held;
+    this.invalidate();
+  }
+
   /** Asks for a frame. */
   invalidate(): void {
     if (this.waiting) return;
     this.waiting = requestAnimationFrame((now) => {
       this.waiting = 0;
+      if (this.held) {
+        this.onDraw();
+        return;
+      }
       if (!this.shaders) {
         this.onDraw();
         this.warmUp();
@@ -446,6 +374,7 @@ export class Stage {
 
   /** The picture has come to rest: once more in full. */
   private drawFull(): void {
+    if (this.held) return;
     this.setDetail(false);
     this.full = true;
     this.renderer.render(this.scene, this.camera);
@@ -460,6 +389,9 @@ export class Stage {
   dispose(): void {
     cancelAnimationFrame(this.waiting);
     this.controls.dispose();
+    this.furniture.dispose();
+    this.marks.dispose();
+    for (const line of this.inkLines.values()) line.geometry.dispose();
     this.room.dispose();
     this.figure?.dispose();
     this.renderer.dispose();

@@ -52,6 +52,9 @@ const LET_GO_QUICKLY = 12;
 /** Half a box's width and the palm's way to it, metres. */
 const BOX_HALF = 0.18;
 const PALM_GAP = 0.01;
+/** Half a box's height, metres, and what pulls it to the floor, m/s^2. */
+const BOX_RISE = 0.13;
+const GRAVITY = 9.81;
 
 export function createHandState(windows: TaskWindow[], frames: number): HandState {
   const carries: Carry[] = [];
@@ -410,6 +413,29 @@ function raise(centre: number[], yaw: number, share: number, limbs: LimbWorkspac
     need += 0.25 * (over + Math.sqrt(over * over + RAISE_EASE * RAISE_EASE));
   }
   centre[1] += share * need;
+}
+
+/**
+ * Ways of the boxes from their grasp to where they come to rest: one that was let go for another falls to the floor and lies there
+ * as it was held.
+ *
+ * @param frames length of the motion.
+ */
+export function boxTracks(state: HandState, frames: number): BoxTrack[] {
+  return state.carries.map(({ track, last, place }) => {
+    if (place || last >= frames - 1) return track;
+    const end = track.transforms.length - 7;
+    const drop = Math.max(0, track.transforms[end + 1] - BOX_RISE);
+    const fall = Math.min(frames - 1 - last, Math.ceil(60 * Math.sqrt((2 * drop) / GRAVITY)));
+    const transforms = new Float32Array(track.transforms.length + 7 * fall);
+    transforms.set(track.transforms);
+    for (let k = 1; k <= fall; k++) {
+      const o = end + 7 * k;
+      transforms.copyWithin(o, end, end + 7);
+      transforms[o + 1] -= Math.min(drop, (GRAVITY * (k / 60) ** 2) / 2);
+    }
+    return { ...track, frames: track.frames + fall, transforms };
+  });
 }
 
 /** How far the capture's hands' middle at contact is from its box, as laid on the plan: nothing for the studio's own build. */

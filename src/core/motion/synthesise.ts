@@ -13,7 +13,7 @@ import type { TaskGoal } from "../tasks/transition.ts";
 import type { Library } from "../templates/types.ts";
 import { balanceBody, type KeptBalance } from "./balance-pass.ts";
 import { type BodyTrack, createBodyState, createBodyTrack, runBodyPass } from "./body-pass.ts";
-import { createHandState, type HandState, handTargets, inkOf } from "./hand-pass.ts";
+import { boxTracks, createHandState, type HandState, handTargets, inkOf } from "./hand-pass.ts";
 import { raiseHeels } from "./heel-pass.ts";
 import { leadToSeats, reachWithLegs, softenSwings } from "./hips-pass.ts";
 import {
@@ -98,7 +98,7 @@ function poseFrame(s: Synthesis, frame: number): void {
 
 /** What the hands left: boxes' ways and ink; complete once every frame has been made. */
 export function handResults(s: Synthesis): { boxes: BoxTrack[]; ink: InkStroke[] } {
-  return { boxes: s.hands.carries.map((c) => c.track), ink: inkOf(s.hands) };
+  return { boxes: boxTracks(s.hands, s.frames), ink: inkOf(s.hands) };
 }
 
 /** The whole motion as a clip, for export and measuring. */
