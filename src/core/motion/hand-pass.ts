@@ -62,7 +62,7 @@ export function createHandState(windows: TaskWindow[], frames: number): HandStat
   let open: TaskWindow | null = null;
   const close = (lift: TaskWindow, place: TaskWindow | null, next: TaskWindow | null = null) => {
     const first = lift.contact;
-    // A second box takes the hands: the first is left where they let it go, in time for them to come back.
+    // A second box takes the hands: the first is let go in time for them to come back.
     const until = next ? Math.max(first, next.from - LET_GO) : frames - 1;
     const last = Math.min(frames - 1, place ? place.contact : until);
     if (last < first) return;
@@ -387,6 +387,29 @@ function boxTargets(
   }
 }
 
+/**
+ * Ways of the boxes from their grasp to where they come to rest: one that was let go for another falls to the floor and lies there
+ * as it was held.
+ *
+ * @param frames length of the motion.
+ */
+export function boxTracks(state: HandState, frames: number): BoxTrack[] {
+  return state.carries.map(({ track, last, place }) => {
+    if (place || last >= frames - 1) return track;
+    const end = track.transforms.length - 7;
+    const drop = Math.max(0, track.transforms[end + 1] - BOX_RISE);
+    const fall = Math.min(frames - 1 - last, Math.ceil(60 * Math.sqrt((2 * drop) / GRAVITY)));
+    const transforms = new Float32Array(track.transforms.length + 7 * fall);
+    transforms.set(track.transforms);
+    for (let k = 1; k <= fall; k++) {
+      const o = end + 7 * k;
+      transforms.copyWithin(o, end, end + 7);
+      transforms[o + 1] -= Math.min(drop, (GRAVITY * (k / 60) ** 2) / 2);
+    }
+    return { ...track, frames: track.frames + fall, transforms };
+  });
+}
+
 /** An arm that carries is bent at least to this share of its length; softness, metres. */
 const CARRYING_ARM = 0.93;
 const RAISE_EASE = 0.02;
@@ -413,29 +436,6 @@ function raise(centre: number[], yaw: number, share: number, limbs: LimbWorkspac
     need += 0.25 * (over + Math.sqrt(over * over + RAISE_EASE * RAISE_EASE));
   }
   centre[1] += share * need;
-}
-
-/**
- * Ways of the boxes from their grasp to where they come to rest: one that was let go for another falls to the floor and lies there
- * as it was held.
- *
- * @param frames length of the motion.
- */
-export function boxTracks(state: HandState, frames: number): BoxTrack[] {
-  return state.carries.map(({ track, last, place }) => {
-    if (place || last >= frames - 1) return track;
-    const end = track.transforms.length - 7;
-    const drop = Math.max(0, track.transforms[end + 1] - BOX_RISE);
-    const fall = Math.min(frames - 1 - last, Math.ceil(60 * Math.sqrt((2 * drop) / GRAVITY)));
-    const transforms = new Float32Array(track.transforms.length + 7 * fall);
-    transforms.set(track.transforms);
-    for (let k = 1; k <= fall; k++) {
-      const o = end + 7 * k;
-      transforms.copyWithin(o, end, end + 7);
-      transforms[o + 1] -= Math.min(drop, (GRAVITY * (k / 60) ** 2) / 2);
-    }
-    return { ...track, frames: track.frames + fall, transforms };
-  });
 }
 
 /** How far the capture's hands' middle at contact is from its box, as laid on the plan: nothing for the studio's own build. */

@@ -12,6 +12,7 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { KeptBalance } from "./balance-pass.ts";
 import type { BodyTrack } from "./body-pass.ts";
 import { FOOT_STRIDE, pitchOf } from "./foot-pose.ts";
+import type { SegmentSetup } from "./segment-setup.ts";
 import { contactsOfPitch, plantedAnkle } from "./sole.ts";
 
 const Q = JOINT_COUNT * 4;
@@ -45,14 +46,20 @@ const v = new Float64Array(6);
 /**
  * Raises the heels of planted feet. Mutates `track.feet` and `track.contacts`, and notes the rise in `track.heels`.
  *
+ * @param setups of the plan's segments: plants that are enforced keep their heels.
  * @param kept the motion that is shown: its frames so far keep their rise.
  */
-export function raiseHeels(track: BodyTrack, skeleton: Skeleton, kept: KeptBalance | null): void {
+export function raiseHeels(
+  track: BodyTrack,
+  setups: readonly SegmentSetup[],
+  skeleton: Skeleton,
+  kept: KeptBalance | null,
+): void {
   for (let side = 0 as 0 | 1; side < 2; side = (side + 1) as 0 | 1) {
     const need = new Float64Array(track.frames);
     let any = false;
     for (let f = 0; f < track.frames; f++) {
-      if (!stands(track, f, side)) continue;
+      if (!stands(track, f, side) || held(track, setups, f, side)) continue;
       need[f] = neededRise(track, f, side, skeleton);
       any ||= need[f] > 0;
     }
@@ -76,6 +83,13 @@ function leaveSmall(need: Float64Array): void {
 /** Whether the ball of a foot bears. */
 const stands = (track: BodyTrack, frame: number, side: number): boolean =>
   ((track.contacts[frame] >> (2 * side)) & 2) !== 0;
+
+/** Whether the user wants a foot flat while it rests: its heel stays. */
+function held(track: BodyTrack, setups: readonly SegmentSetup[], frame: number, side: 0 | 1): boolean {
+  const { plantBefore, plantAfter } = setups[track.segmentOf[frame]];
+  const flat = ((track.contacts[frame] >> (2 * side)) & 3) === 3;
+  return flat && (plantBefore[side] === "enforce" || plantAfter[side] === "enforce");
+}
 
 /** How far a heel must rise, radians: until its leg reaches and its ankle is at ease; 0 where the hips are not ahead of the foot. */
 function neededRise(track: BodyTrack, frame: number, side: 0 | 1, skeleton: Skeleton): number {

@@ -63,7 +63,7 @@ export function beginSynthesis(
   leadToSeats(track, setups, windows, skeleton);
   const limbs = createLimbWorkspace();
   balanceBody(track, windows, skeleton, limbs, kept);
-  raiseHeels(track, skeleton, kept);
+  raiseHeels(track, setups, skeleton, kept);
   softenSwings(track, skeleton);
   reachWithLegs(track, skeleton, kept);
   return {
