@@ -13,7 +13,8 @@ const wanted = (folder, ending) =>
 const run = (...args) => spawnSync("npx", args, { stdio: "inherit" }).status === 0;
 
 let ok = true;
-if (wanted("tests/long", ".test.ts")) ok = run("vitest", "run", "--config", "vitest.long.config.ts", ...names);
+if (wanted("tests/long", ".test.ts"))
+  ok = run("vitest", "run", "--config", "vitest.long.config.ts", ...names);
 if (wanted("tests/long/browser", ".spec.ts"))
   ok =
     run("vite", "build", "--logLevel", "warn") &&
