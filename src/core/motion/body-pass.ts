@@ -178,7 +178,8 @@ function travelled(setup: SegmentSetup, source: number): number {
 }
 
 /**
- * Fraction of its part of the warp that the root has made at a source frame.
+ * Fraction of its part of the warp that the root has made at a source frame: softly over the whole segment. By the swing foot's own
+ * way the hips would set off and stop with a jerk at lift and landing, where that foot already, or still, moves.
  */
 function carried(setup: SegmentSetup, source: number): number {
   if (!setup.step) return 0;

@@ -3,7 +3,7 @@
  * [TaskLoco §6, Figure 11].
  *
  * The frame between the feet (midpoint, mean yaw) of the capture is laid on that of the plan, before and after the
- * step; in between, by the fraction of the way that the swing foot has travelled. The midpoint moves by half of
+ * step; in between, by a fraction that the caller gives. The midpoint moves by half of
  * what the swing foot does, which is the paper's half.
  */
 import { wrapAngle } from "../math/angle.ts";
