@@ -18,7 +18,15 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { ContactTrack } from "../steps/types.ts";
 import { balanceOnPath } from "./balance.ts";
 import { MEMBER_ROW, readFamily, type StrideFamily } from "./family.ts";
-import { constrainFeet, createFeetTrack, findPlants, freeFeet, growPlants, settleHeels, type StylePlant } from "./feet.ts";
+import {
+  constrainFeet,
+  createFeetTrack,
+  findPlants,
+  freeFeet,
+  growPlants,
+  type StylePlant,
+  settleHeels,
+} from "./feet.ts";
 import { easeKnees } from "./knees.ts";
 import { leanAlong } from "./lean.ts";
 import type { LoopSequence } from "./loop.ts";
