@@ -189,7 +189,6 @@ function paths(e: Editor, desk: PathDesk): TemplateResult {
         </div>
       </div>`;
     })}
-    ${scene.tasks.length > 0 ? html`<p class="note">Tasks wait while there is a path.</p>` : nothing}
   </section>`;
 }
 
