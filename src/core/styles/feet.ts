@@ -143,6 +143,8 @@ const HEEL_DOWN = (-1.2 * Math.PI) / 180;
 const HEEL_OFF = (-4.5 * Math.PI) / 180;
 /** A heel that is there for so many frames hovers: one that is lifted passes through in five. */
 const HEEL_HOVERS = 6;
+/** Times that it is put down at most. */
+const HEEL_TIMES = 3;
 /** Where heels hover, those up by less than the first lie down; from the second on they are up as they were; radians. */
 const HEEL_LIES = (1 * Math.PI) / 180;
 const HEEL_UP = (5.5 * Math.PI) / 180;
@@ -156,22 +158,27 @@ const HEEL_ENDS = 4;
 export function settleHeels(track: FeetTrack, plants: readonly StylePlant[]): void {
   for (const plant of plants) {
     const side = plant.foot === "left" ? 0 : 1;
-    let longest = 0;
-    let run = 0;
-    for (let f = plant.from; f < plant.to; f++) {
-      const pitch = track.pitch[2 * f + side];
-      run = pitch < HEEL_DOWN && pitch > HEEL_OFF ? run + 1 : 0;
-      longest = Math.max(longest, run);
-    }
-    if (longest < HEEL_HOVERS) continue;
-    for (let f = plant.from; f < plant.to; f++) {
-      const i = 2 * f + side;
-      if (track.pitch[i] >= 0) continue;
-      const down = 1 - smoothstep((-track.pitch[i] - HEEL_LIES) / (HEEL_UP - HEEL_LIES));
-      const inside = smoothstep((f - plant.from + 1) / HEEL_ENDS) * smoothstep((plant.to - f) / HEEL_ENDS);
-      track.pitch[i] *= 1 - down * inside;
-    }
+    // What hovered higher may hover lower then: a second time brings it down.
+    for (let time = 0; time < HEEL_TIMES && hovers(track, plant, side); time++)
+      for (let f = plant.from; f < plant.to; f++) {
+        const i = 2 * f + side;
+        if (track.pitch[i] >= 0) continue;
+        const down = 1 - smoothstep((-track.pitch[i] - HEEL_LIES) / (HEEL_UP - HEEL_LIES));
+        const inside = smoothstep((f - plant.from + 1) / HEEL_ENDS) * smoothstep((plant.to - f) / HEEL_ENDS);
+        track.pitch[i] *= 1 - down * inside;
+      }
   }
+}
+
+/** Whether a plant's heel stays between the ground and clearly off it. */
+function hovers(track: FeetTrack, plant: StylePlant, side: number): boolean {
+  let run = 0;
+  for (let f = plant.from; f < plant.to; f++) {
+    const pitch = track.pitch[2 * f + side];
+    run = pitch < HEEL_DOWN && pitch > HEEL_OFF ? run + 1 : 0;
+    if (run >= HEEL_HOVERS) return true;
+  }
+  return false;
 }
 
 /**

@@ -3,7 +3,7 @@
  * key-times, blended over adaptive lengths from any frame, with the stride that the curvature allows.
  */
 import { minimumJerk } from "../math/interpolate.ts";
-import { type BlendLength, blendAt, FIXED_BLEND } from "./blend-length.ts";
+import { type BlendLength, blendAt, blendLengths, FIXED_BLEND } from "./blend-length.ts";
 import { type StrideFamily, strideScale } from "./family.ts";
 import { type ContactPhases, frameOfPhase, phaseOfFrame } from "./gait-phase.ts";
 import type { LoopSequence } from "./loop.ts";
@@ -35,6 +35,9 @@ export interface StyleBlend {
   start: number;
   length: BlendLength;
   frames: number;
+  /** Where in a pass of the first style it began, strides; and the lengths that other starts would have, frames. */
+  phase: number;
+  starts: Float32Array;
 }
 
 /** A row a frame. */
@@ -124,7 +127,7 @@ export function createTimeline(
   let frameA = options.stand ? frameOfPhase(loop.phases, loop.contacts[0].rightLift - 0.004) : 0;
   let phase = options.stand ? loop.contacts[0].rightLift - 0.004 : 0;
   let offset = 0;
-  let blend: (StyleBlend & { phaseB: number }) | null = null;
+  let blend: StyleBlend | null = null;
   let frameB = 0;
   let startRamp = options.stand ? 0 : 1;
   let stopRamp = 1;
@@ -180,8 +183,16 @@ export function createTimeline(
       offset = Math.floor(phase) - stride;
       frameB = frameOfPhase(to.phases, phase - offset);
       const frames = Math.max(2, Math.round(options.adaptive ? length.frames : FIXED_BLEND * RATE));
-      blend = { from: style, to: wanted, start: now, length, frames, phaseB: phase - offset };
-      blends.push({ from: style, to: wanted, start: now, length, frames });
+      blend = {
+        from: style,
+        to: wanted,
+        start: now,
+        length,
+        frames,
+        phase: mod(phase, loop.strides),
+        starts: blendLengths(loop, to),
+      };
+      blends.push(blend);
     }
     // Time goes on by one frame: of the style alone, or of both at the pace that is between theirs.
     let step: number;

@@ -8,6 +8,7 @@ import {
   loopsSvg,
   type StyleStretch,
   stylesSvg,
+  type TrackLane,
   trackSvg,
 } from "../../plots/path-lanes.ts";
 import type { Editor } from "../editor.ts";
@@ -191,43 +192,33 @@ const loopLane = lane(
   ),
 );
 
-const speedLane = lane(
-  "speed",
-  22,
-  36,
-  kept((_, story, frame) =>
-    trackSvg(
-      {
-        title: "Speed",
-        unit: "m/s",
-        values: story.speed,
-        range: [0, 1.5],
-        write: (v) => `${v.toFixed(2)} m/s`,
-      },
-      frame.x,
-      frame.height,
-    ),
-  ),
-);
+/** A curve over the walk. */
+const curveLane = (
+  id: string,
+  order: number,
+  values: (story: PathStory) => Float32Array,
+  track: Omit<TrackLane, "values">,
+): Lane =>
+  lane(
+    id,
+    order,
+    36,
+    kept((_, story, frame) => trackSvg({ ...track, values: values(story) }, frame.x, frame.height)),
+  );
 
-const strideLane = lane(
-  "stride",
-  23,
-  36,
-  kept((_, story, frame) =>
-    trackSvg(
-      {
-        title: "Stride",
-        unit: "scale",
-        values: story.scale,
-        range: [0.5, 1],
-        write: (v) => `${Math.round(100 * v)} %`,
-      },
-      frame.x,
-      frame.height,
-    ),
-  ),
-);
+const speedLane = curveLane("speed", 22, (s) => s.speed, {
+  title: "Speed",
+  unit: "m/s",
+  range: [0, 1.5],
+  write: (v) => `${v.toFixed(2)} m/s`,
+});
+
+const strideLane = curveLane("stride", 23, (s) => s.scale, {
+  title: "Stride",
+  unit: "scale",
+  range: [0.5, 1],
+  write: (v) => `${Math.round(100 * v)} %`,
+});
 
 const leanLane = lane(
   "lean",

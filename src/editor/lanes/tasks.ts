@@ -7,8 +7,11 @@ import type { Lane } from "./lane.ts";
 export const taskLane: Lane = {
   id: "tasks",
   order: 10,
-  // Tasks wait while there is a path.
-  shown: (e) => e.store.getState().scene.paths.length === 0,
+  // A scene of paths alone needs the room for their curves.
+  shown: (e) => {
+    const { scene } = e.store.getState();
+    return scene.tasks.length > 0 || scene.paths.length === 0;
+  },
   height: () => 26,
   draw(e, frame) {
     const s = e.store.getState();

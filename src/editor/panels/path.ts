@@ -1,8 +1,9 @@
 /** The Path tab: styles to paint with, the change that is chosen, the path itself, and what can be switched off. */
 import { html, nothing, type TemplateResult } from "lit";
 import { unsafeSVG } from "lit/directives/unsafe-svg.js";
-import { EFFECTOR_NAMES, FIXED_BLEND } from "../../core/styles/blend-length.ts";
+import { BLEND_STARTS, EFFECTOR_NAMES, FIXED_BLEND } from "../../core/styles/blend-length.ts";
 import type { PathOptions } from "../../core/styles/synthesise-path.ts";
+import { blendLengthsSvg } from "../../plots/blend-lengths.ts";
 import { swatchSvg } from "../../plots/style-pattern.ts";
 import type { Editor } from "../editor.ts";
 import { markFloor, pathNear } from "../layers/path-bands.ts";
@@ -152,6 +153,19 @@ function change(e: Editor, desk: PathDesk): TemplateResult | typeof nothing {
     )}</div></div>
     <div class="row"><span>Length</span><div class="segments" role="group" aria-label="Blend length"><button aria-pressed=${adaptive} @click=${() => desk.toggle({ adaptive: true })}>Adaptive</button><button aria-pressed=${!adaptive} @click=${() => desk.toggle({ adaptive: false })}>${FIXED_BLEND} s</button></div></div>
     ${blend ? html`<p class="note">${(blend.frames / 60).toFixed(2)} s${adaptive ? `: the ${EFFECTOR_WORDS[EFFECTOR_NAMES[blend.length.effector]]} has ${blend.length.gap.toFixed(2)} m to go` : `, where ${(blend.length.frames / 60).toFixed(2)} s would be gradual`}.</p>` : nothing}
+    ${
+      blend
+        ? unsafeSVG(
+            blendLengthsSvg({
+              seconds: Array.from(blend.starts, (f) => f / 60),
+              steps: (2 * blend.starts.length) / BLEND_STARTS,
+              fixed: FIXED_BLEND,
+              chosen: (blend.phase * BLEND_STARTS) / blend.starts.length,
+              adaptive,
+            }),
+          )
+        : nothing
+    }
     <div class="actions">${here}<button class="plain danger" @click=${() => desk.removeChange(stretch)}>Remove</button></div>
   </section>`;
 }
@@ -175,7 +189,6 @@ function paths(e: Editor, desk: PathDesk): TemplateResult {
         </div>
       </div>`;
     })}
-    ${scene.tasks.length > 0 ? html`<p class="note">Tasks wait while there is a path.</p>` : nothing}
   </section>`;
 }
 
