@@ -22,11 +22,19 @@ import type { CyclicSource } from "../../src/core/blending/types.ts";
 import { createRandom } from "../../src/core/math/random.ts";
 import { JOINT_COUNT, JOINT_NAMES, PARENTS } from "../../src/core/skeleton/joints.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
+import { figureLines } from "../../src/plots/figure-lines.ts";
 import { cyclicSources } from "../../src/studio/blend-library.ts";
 import { figure, median } from "./measure.ts";
 import type { BenchModule, Figure } from "./types.ts";
 
-const SIZES = [10, 100, 1000, 2000];
+/** Characters; 60 and 100 as the paper tells them. */
+const SIZES = [10, 60, 100, 1000, 2000];
+/** What the paper states, drawing included, by number of characters [Barycentric §7]: frames a second. */
+const PAPER_RATES: [number, number][] = [
+  [60, 25],
+  [100, 13],
+];
+const PEER = "three AnimationMixer, two clips, no inverse kinematics";
 const FRAME = 1 / 60;
 
 /** Characters walking each at its own pace, its footsteps always two ahead. */
@@ -216,7 +224,8 @@ const bench: BenchModule = {
       const own = costs.get(n) ?? [];
       const peer = peers.get(n) ?? Number.NaN;
       const f = figure(`blending, a frame of one of ${n} characters`, "us", own, null, () => true);
-      f.peer = "three AnimationMixer, two clips, no inverse kinematics";
+      f.peer = PEER;
+      f.size = n;
       f.peerMedian = peer;
       f.ratio = f.median / peer;
       if (n === 1000) {
@@ -243,6 +252,34 @@ const bench: BenchModule = {
       ),
     );
     return out;
+  },
+  plots(figures) {
+    const sized = figures.filter((f) => f.size !== undefined) as (Figure & { size: number })[];
+    const own = sized.map((f): [number, number] => [f.size, f.median]);
+    const peer = sized.map((f): [number, number] => [f.size, f.peerMedian ?? Number.NaN]);
+    const rates = (costs: [number, number][]) =>
+      costs.map(([n, us]): [number, number] => [n, 1e6 / (n * us)]);
+    return {
+      "cost-by-size": figureLines(
+        [
+          { name: "Stepwright", points: own },
+          { name: "three AnimationMixer", points: peer },
+        ],
+        "A character's frame, by the size of the crowd",
+        "characters",
+        "microseconds a character and frame",
+      ),
+      "frame-rates": figureLines(
+        [
+          { name: "Stepwright, motion alone", points: rates(own) },
+          { name: "AnimationMixer, motion alone", points: rates(peer) },
+          { name: "the paper, drawn", points: PAPER_RATES, loose: true },
+        ],
+        "Frames a second, as in Barycentric, Figure 9",
+        "characters",
+        "frames a second",
+      ),
+    };
   },
 };
 

@@ -77,7 +77,11 @@ export async function main(args: string[]): Promise<number> {
     console.error(`bench: ${m.name} ...`);
     const figures = await m.run(options);
     const folder = value("figures");
-    if (folder !== null) draw(folder, m.name, figures);
+    if (folder !== null) {
+      draw(folder, m.name, figures);
+      for (const [name, svg] of Object.entries(m.plots?.(figures) ?? {}))
+        writeFileSync(join(folder, `${name}.svg`), svg);
+    }
     all.push(...figures);
   }
   if (args.includes("--json")) for (const f of all) console.log(JSON.stringify(f));

@@ -15,6 +15,8 @@ export interface Figure {
   /** The goal in words, e.g. "ratio <= 0.7" or "<= 50 ms". */
   goal: string | null;
   ok: boolean | null;
+  /** The size that it was measured at, for plots of cost against size. */
+  size?: number;
 }
 
 export interface BenchOptions {
@@ -28,4 +30,6 @@ export interface BenchOptions {
 export interface BenchModule {
   name: string;
   run(options: BenchOptions): Promise<Figure[]>;
+  /** Plots of its own beside the bars, by file name without `.svg`: SVG markup from what was measured. */
+  plots?(figures: readonly Figure[]): Record<string, string>;
 }

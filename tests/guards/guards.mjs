@@ -30,6 +30,22 @@ export const GUARDS = [
     test: "a line without end",
   },
   {
+    name: "characters: accessors end within their buffers",
+    file: "src/view/character/gltf-check.ts",
+    guard: "if (count > 0 && offset + stride * (count - 1) + size > view.length)",
+    without: "if (count < 0)",
+    tests: "tests/unit/fuzz-characters.test.ts",
+    test: "beyond its buffer",
+  },
+  {
+    name: "characters: no node is its own ancestor",
+    file: "src/view/character/gltf-check.ts",
+    guard: "if (up === i || k > nodes.length)",
+    without: "if (k > nodes.length) break;\n      if (k < 0)",
+    tests: "tests/unit/fuzz-characters.test.ts",
+    test: "its own ancestor",
+  },
+  {
     name: "contact CSV: only bits",
     file: "src/core/contacts/csv.ts",
     guard: 'if (cells[b + 1] !== "0" && cells[b + 1] !== "1")',

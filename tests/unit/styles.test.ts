@@ -4,7 +4,6 @@ import { basename } from "node:path";
 import { beforeAll, describe, expect, it } from "vitest";
 import { writeBvh } from "../../src/core/capture/bvh-write.ts";
 import { importBvh } from "../../src/core/capture/import.ts";
-import { createRandom } from "../../src/core/math/random.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
 import { readScene } from "../../src/core/scene/schema.ts";
 import type { Scene } from "../../src/core/scene/types.ts";
@@ -21,6 +20,7 @@ import { renderScore } from "../../src/studio/render.ts";
 import { styleFamilies } from "../../src/studio/style-families.ts";
 import { STYLES, styleScore } from "../../src/studio/styles.ts";
 import { jointPopping } from "../support/joint-popping.ts";
+import { randomPath } from "../support/random-path.ts";
 import { captures, hasShared } from "../support/shared.ts";
 
 const skeleton = createSkeleton(1.75);
@@ -185,21 +185,9 @@ describe("walks along paths [Express §§6, 7]", () => {
   });
 
   it("follows twenty random paths with random styles without NaN, sliding or popping", () => {
-    const random = createRandom(11);
     for (let k = 0; k < 20; k++) {
-      let heading = random.between(-3, 3);
-      const at = [0, 0];
-      const points = range(4 + Math.floor(6 * random.next())).map(() => {
-        heading += random.between(-1, 1);
-        at[0] += Math.sin(heading) * random.between(0.6, 1.6);
-        at[1] += Math.cos(heading) * random.between(0.6, 1.6);
-        return [...at];
-      });
-      const styles = range(3).map((i) => ({
-        at: i / 3,
-        style: STYLES[Math.floor(random.next() * STYLES.length)],
-      }));
-      const plan = walk(points, styles, random.next() < 0.7);
+      const { points, styles, smooth } = randomPath(k + 11);
+      const plan = walk(points, styles, smooth);
       expect(plan.motion.clip.rotations.every(Number.isFinite)).toBe(true);
       const q = qualityOf(plan);
       expect(q.skate ?? 0, `path ${k}`).toBeLessThan(4);
@@ -307,8 +295,7 @@ describe("loops from one sample [Express §5]", () => {
       worst = Math.max(worst, ratio);
     }
     console.log(`joint against sample: within 1.0 in ${within} of ${all}, worst ${worst.toFixed(2)}`);
-    expect(within / all).toBeGreaterThan(0.9);
-    expect(worst).toBeLessThan(1.1);
+    expect(worst).toBeLessThanOrEqual(1);
   });
 
   it("come from any straight file, and names are told apart", () => {

@@ -287,14 +287,24 @@ function swing(
     // What this does not reach, near the ends: the toes give way, then the ankle.
     const heelAndBall = track.ankle[p + 1] + lowestOf(shape, track.pitch[i], 1);
     if (heelAndBall < 0) track.ankle[p + 1] -= heelAndBall;
-    for (let k = 0; k < 8; k++) {
-      if (track.ankle[p + 1] + lowestOf(shape, track.pitch[i], track.toeBend[i]) >= -1e-4) break;
-      track.toeBend[i] += 0.08;
-    }
+    const grounded = tipClearBend(shape, track.pitch[i], track.ankle[p + 1] + 1e-4);
+    if (grounded > track.toeBend[i]) track.toeBend[i] = Math.min(grounded, track.toeBend[i] + MOST_TOE_GIVE);
   }
 }
 
 const clamp = (v: number, most: number): number => Math.max(-most, Math.min(most, v));
+
+/** Most that toes give way in the air, radians. */
+const MOST_TOE_GIVE = 0.64;
+
+/** The toe bend at which the tip just touches the ground, the ankle joint `height` over it; radians. */
+function tipClearBend(shape: FootShape, pitch: number, height: number): number {
+  const joint =
+    shape.ballForward * Math.sin(pitch) - (shape.ankleHeight - shape.ballHeight) * Math.cos(pitch);
+  const reach = Math.hypot(shape.tipForward, shape.ballHeight);
+  const steep = Math.asin(Math.max(-1, Math.min(1, -(height + joint) / reach)));
+  return steep + Math.atan2(shape.ballHeight, shape.tipForward) - pitch;
+}
 
 /** Height of the lowest of heel, ball and tip against the ankle joint. */
 function lowestOf(shape: FootShape, pitch: number, bend: number): number {

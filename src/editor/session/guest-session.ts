@@ -1,5 +1,4 @@
 /** A character from a file: kept by name in the browser's own database, its bones mapped, moved by the motion. */
-import type { GLTF } from "three/addons/loaders/GLTFLoader.js";
 import type { JointName } from "../../core/skeleton/joints.ts";
 import { createSkeleton } from "../../core/skeleton/skeleton.ts";
 import type { BoneMap } from "../../view/character/bone-map.ts";
@@ -53,31 +52,18 @@ export class GuestSession {
   }
 
   private async load(name: string, bytes: ArrayBuffer): Promise<void> {
-    const [{ GLTFLoader }, { bonesIn, mapBones, missingJoints }, { Guest }, { Box3 }] = await Promise.all([
-      import("three/addons/loaders/GLTFLoader.js"),
+    const [{ readCharacter }, { missingJoints }, { Guest }] = await Promise.all([
+      import("../../view/character/read-character.ts"),
       import("../../view/character/bone-map.ts"),
       import("../../view/character/guest.ts"),
-      import("three"),
     ]);
-    let gltf: GLTF;
-    try {
-      gltf = await new GLTFLoader().parseAsync(bytes.slice(0), "");
-    } catch (error) {
-      throw new Error(
-        `${name}: no glTF character can be read. (${error instanceof Error ? error.message : String(error)})`,
-      );
-    }
-    const bones = bonesIn(gltf.scene);
-    if (bones.length === 0) throw new Error(`${name}: nothing in it is skinned to bones.`);
-    const { map, sure } = await mapBones(gltf);
+    const { scene, bones, map, sure, height } = await readCharacter(bytes, name);
     for (const [joint, bone] of this.chosen) {
       const found = bones.find((b) => b.name === bone);
       if (found) map.set(joint, found);
       else map.delete(joint);
     }
-    const box = new Box3().setFromObject(gltf.scene, true);
-    const height = box.max.y - box.min.y;
-    if (height < HEIGHTS[0] || height > HEIGHTS[1]) gltf.scene.scale.multiplyScalar(USUAL / height);
+    if (height < HEIGHTS[0] || height > HEIGHTS[1]) scene.scale.multiplyScalar(USUAL / height);
     const missing = missingJoints(map);
     const { character } = this.e.store.getState().scene;
     const skeleton = createSkeleton(character.height, character.proportions);
@@ -89,7 +75,7 @@ export class GuestSession {
       map,
       sure,
       missing,
-      guest: missing.length === 0 ? new Guest(gltf.scene, map, skeleton) : null,
+      guest: missing.length === 0 ? new Guest(scene, map, skeleton) : null,
     };
   }
 
