@@ -104,6 +104,8 @@ export interface Batch {
   /** Triangle last hit, one a foot. */
   triangle: Int32Array;
   offset: Float64Array;
+  /** How far each torso is turned over the feet, the shoulders' yaw less the root's, radians: set by who turns sideways in a gap. */
+  upperYaw: Float64Array;
   /** Hips' world places, count x 3. */
   root: Float32Array;
   /** Local rotations xyzw, count x JOINT_COUNT x 4. */
@@ -156,6 +158,7 @@ export function createBatch(
     mixWeights: new Float64Array(3 * MIX * capacity),
     triangle: new Int32Array(2 * capacity),
     offset: new Float64Array(OFFSET * capacity),
+    upperYaw: new Float64Array(capacity),
     root: new Float32Array(3 * capacity),
     rotations: new Float32Array(POSE * capacity),
     matrices: new Float32Array(o.matrices ? 16 * JOINT_COUNT * capacity : 0),
