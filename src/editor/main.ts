@@ -19,6 +19,8 @@ declare global {
       feetAt(frame: number): { root: number[]; contacts: number } | null;
       seek(time: number): void;
       restartPlanner(): void;
+      /** What lies on the graphics card, counted. */
+      graphics(): { geometries: number; textures: number; programs: number };
       /** Whether the room is drawn: not, to measure the rest. */
       draw(on: boolean): void;
       crowd(): {
@@ -89,6 +91,7 @@ async function start(): Promise<void> {
     },
     seek: (time) => editor.playback.seek(time),
     restartPlanner: () => editor.plan.restart(),
+    graphics: () => editor.stage.graphics(),
     draw: (on) => editor.stage.hold(!on),
     crowd: () => {
       const { seconds, agents, left, ready, picked, story } = crowdSession(editor);

@@ -73,6 +73,7 @@ export class StepwrightScene extends Base {
   private readonly bar = el("div", { class: "bar", part: "bar", hidden: true });
   private readonly panelBox = el("div", { class: "panels", part: "panels", hidden: true });
   private readonly message = el("p", { class: "say", role: "alert", hidden: true });
+  private readonly note = el("p", { class: "note", hidden: true });
   private readonly wait = el("span", { class: "wait" }, "Loading captures");
   private readonly live = el("div", { class: "hidden", "aria-live": "polite" });
   private readonly clock = el("div", { class: "clock", "aria-hidden": "true" });
@@ -296,7 +297,7 @@ export class StepwrightScene extends Base {
         open.addEventListener(event, () => void this.addressEditor(open, editor));
       this.bar.append(open);
     }
-    this.view.append(this.message, this.wait);
+    this.view.append(this.message, this.note, this.wait);
     root.append(this.view, this.panelBox, this.bar, this.live);
     this.showPlaying(false);
     this.showTime();
@@ -413,16 +414,17 @@ export class StepwrightScene extends Base {
     if (picture) drawn.add(this);
     else drawn.delete(this);
     this.resize();
-    this.markers?.attach(picture?.stage ?? null);
-    this.player?.attach(picture?.stage ?? null);
-    if (picture?.problem) this.fail(picture.problem);
+    this.markers?.attach(picture?.view ?? null);
+    this.player?.attach(picture?.view ?? null);
+    this.note.textContent = picture?.note ?? "";
+    this.note.hidden = !picture?.note;
   }
 
   private putStill(): void {
-    const { stage } = this.picture ?? {};
-    if (!stage) return;
+    const still = this.picture?.view.still?.();
+    if (still === undefined) return;
     this.view.querySelector("img.still")?.remove();
-    this.view.append(el("img", { class: "still", alt: "", src: stage.still() }));
+    this.view.append(el("img", { class: "still", alt: "", src: still }));
   }
 
   private resize(): void {

@@ -1,12 +1,14 @@
-/** Where an element draws: a stage on a canvas, or nothing but a sentence where the browser has no WebGL 2. */
+/** Where an element draws: a stage on a canvas, or a plan seen from above where the browser has no WebGL 2. */
 import { Stage } from "../view/stage.ts";
 import type { Theme } from "../view/tokens.ts";
 import { el } from "./dom.ts";
+import { PlanView } from "./plan-view.ts";
+import type { SceneView } from "./scene-view.ts";
 
 export interface Picture {
-  stage: Stage | null;
-  /** What is wrong, one sentence; null when it draws. */
-  problem: string | null;
+  view: SceneView;
+  /** Why it is seen from above, one sentence; null when it is the room. */
+  note: string | null;
   resize(width: number, height: number): void;
   setTheme(theme: Theme): void;
   dispose(): void;
@@ -24,20 +26,23 @@ export function drawOn(box: HTMLElement, theme: Theme, drawnOnce: () => void): P
     stage.setTheme(theme);
     stage.onDraw = drawnOnce;
     return {
-      stage,
-      problem: null,
+      view: stage,
+      note: null,
       resize: (width, height) => stage.resize(width, height, { left: 0, top: 0, right: 0, bottom: 0 }),
       setTheme: (t) => stage.setTheme(t),
       dispose: () => stage.dispose(),
     };
   } catch {
     canvas.remove();
+    const plan = new PlanView(drawnOnce);
+    box.prepend(plan.element);
     return {
-      stage: null,
-      problem: "This browser cannot draw the room: WebGL 2 is needed.",
-      resize: () => undefined,
+      view: plan,
+      note: "Seen from above: this browser has no WebGL 2, which the room needs.",
+      resize: (width, height) => plan.resize(width, height),
+      // Its colours are the style sheet's.
       setTheme: () => undefined,
-      dispose: () => undefined,
+      dispose: () => plan.dispose(),
     };
   }
 }

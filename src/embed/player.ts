@@ -12,10 +12,10 @@ import type { Plan } from "../core/tasks/plan-types.ts";
 import { MotionStore } from "../editor/session/motion-store.ts";
 import { COARSE } from "../view/character/fineness.ts";
 import type { Footprint } from "../view/footprints.ts";
-import type { Stage } from "../view/stage.ts";
 import type { PlannerResponse } from "../workers/protocol.ts";
 import { characterMesh } from "./mesh-hub.ts";
 import { PlannerHub } from "./planner-hub.ts";
+import type { SceneView } from "./scene-view.ts";
 
 const Q = 4 * JOINT_COUNT;
 
@@ -48,7 +48,7 @@ export class Player {
   private history: History;
   private readonly hub = PlannerHub.shared();
   private readonly asker: number;
-  private stage: Stage | null = null;
+  private stage: SceneView | null = null;
   private asked = 0;
   private lastTick = 0;
   private ticking = 0;
@@ -81,7 +81,7 @@ export class Player {
   }
 
   /** Draws on `stage` from now on; null for nowhere. */
-  attach(stage: Stage | null): void {
+  attach(stage: SceneView | null): void {
     this.stage = stage;
     this.meshKey = "";
     if (!stage) return;
@@ -171,7 +171,7 @@ export class Player {
   /** The character's skin, when its build is another than the one drawn. */
   private skin(): void {
     const { stage } = this;
-    if (!stage) return;
+    if (!stage?.setCharacter) return;
     const { height, proportions } = this.scene.character;
     const key = JSON.stringify([height, proportions]);
     if (key === this.meshKey) return;
@@ -180,7 +180,7 @@ export class Player {
     const wear = async (fineness: number) => {
       const mesh = await characterMesh(height, proportions, fineness);
       if (!wanted()) return;
-      stage.setCharacter(createSkeleton(height, proportions), mesh);
+      stage.setCharacter?.(createSkeleton(height, proportions), mesh);
       this.show();
     };
     // A coarse skin at once, so that the character stands there; then the one that is looked at.

@@ -15,6 +15,18 @@ export const STYLES = `
 * { box-sizing: border-box; }
 .view { position: relative; flex: 1 1 auto; min-height: 0; background: var(--room); overflow: hidden; }
 canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: pan-y; outline-offset: -4px; }
+svg.plan { position: absolute; inset: 0; width: 100%; height: 100%; stroke: none; background: var(--room); }
+.plan .floor line { stroke: var(--ink); stroke-opacity: 0.1; stroke-width: 0.01; }
+.plan .prop { fill: var(--raised); stroke: var(--edge); stroke-width: 0.02; }
+.plan .wall, .plan .pillar { fill: var(--edge); }
+.plan .stone { fill: var(--well); stroke: var(--edge); stroke-width: 0.02; }
+.plan .path { fill: none; stroke: var(--edge); stroke-width: 0.06; }
+.plan .ring { fill: none; stroke: var(--ink); stroke-width: 0.012; stroke-opacity: 0.45; }
+.plan .ring.chosen { stroke-opacity: 1; fill: var(--ink); fill-opacity: 0.1; }
+.plan .print { stroke: var(--ink); stroke-opacity: 0.82; stroke-width: 8; }
+.plan .figure { fill: var(--ink-3); stroke: var(--paper); stroke-width: 0.015; }
+.view .note { position: absolute; left: 12px; bottom: 10px; margin: 0; padding: 2px 8px; border-radius: 6px; background: var(--paper); color: var(--ink-2); font-size: 12px; line-height: 18px; max-width: calc(100% - 24px); }
+.view .note[hidden] { display: none; }
 .overlay { position: absolute; inset: 0; pointer-events: none; overflow: hidden; }
 .overlay > * { pointer-events: auto; }
 .marker {

@@ -1,10 +1,10 @@
 /** Task markers over the picture: real buttons that mouse, touch, keyboard and screen readers share. A drag is one entry of undo. */
 import { placeTask } from "../core/scene/commands.ts";
 import type { SceneTask } from "../core/scene/types.ts";
-import type { Stage } from "../view/stage.ts";
 import { el, setAttributes } from "./dom.ts";
 import { TASK_WORDS, taskIcon } from "./icons.ts";
 import type { Player } from "./player.ts";
+import type { SceneView } from "./scene-view.ts";
 
 /** Farthest that a task may be dragged from the middle, metres. */
 const MOST = 20;
@@ -20,7 +20,7 @@ export class TaskMarkers {
   readonly overlay = el("div", { class: "overlay" });
   private readonly tip = el("div", { class: "tip", hidden: true });
   private readonly markers = new Map<string, Marker>();
-  private stage: Stage | null = null;
+  private stage: SceneView | null = null;
   private tipFor: string | null = null;
   private drag: { id: string; from: SceneTask; origin: [number, number]; turn: boolean } | null = null;
 
@@ -31,7 +31,7 @@ export class TaskMarkers {
     this.overlay.append(this.tip);
   }
 
-  attach(stage: Stage | null): void {
+  attach(stage: SceneView | null): void {
     this.stage = stage;
   }
 
@@ -58,7 +58,7 @@ export class TaskMarkers {
     this.drawTip();
   }
 
-  private put(stage: Stage, m: Marker, t: SceneTask, index: number): void {
+  private put(stage: SceneView, m: Marker, t: SceneTask, index: number): void {
     const y = Math.max(0.05, t.position[1]);
     const at = stage.project(t.position[0], y, t.position[2]);
     const ahead = stage.project(

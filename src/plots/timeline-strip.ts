@@ -69,6 +69,8 @@ export interface StripStep {
   land: number;
   /** Index in the plan. */
   index: number;
+  /** What the user asks of the plant that it begins; left out: as the capture has it. */
+  plant?: "enforce" | "never" | undefined;
 }
 
 export interface FeetData {
@@ -100,8 +102,22 @@ export function feetSvg(d: FeetData, x: TimeScale, height: number): string {
       [1, 2 * side],
     ] as const)
       out.push(...plants(d, own, bit, row, top + row * (bar + 2), bar, x));
+    out.push(...unheld(d, own, top, bar, x));
   });
   return out.join("");
+}
+
+/** Plants that claim no contact, outlined from landing to lift: they can be selected and given back. */
+function unheld(d: FeetData, own: readonly StripStep[], top: number, bar: number, x: TimeScale): string[] {
+  return own.flatMap((s, i) => {
+    if (s.plant !== "never") return [];
+    const a = x(s.land);
+    const w = Math.max(4, x(own[i + 1]?.lift ?? d.contacts.length / 60) - a);
+    const chosen = s.index === d.hover || d.selected.includes(s.index);
+    return [
+      `<g role="button" tabindex="-1" data-step="${s.index}" aria-label="${s.foot === "left" ? "Left" : "Right"}, ${d.words[s.category].toLowerCase()}, never planted, ${s.lift.toFixed(2)} to ${s.land.toFixed(2)} s"><rect x="${px(a)}" y="${px(top)}" width="${px(w)}" height="${px(2 * bar + 2)}" rx="4" fill="transparent" stroke="${chosen ? "var(--ink)" : d.colours[s.category].fill}" stroke-width="${chosen ? 2 : 1.2}" stroke-dasharray="3 2"/></g>`,
+    ];
+  });
 }
 
 /** One bar a plant of one contact bit; it takes the colour of the step that led to it. */
@@ -131,14 +147,35 @@ function plants(
       row === 0 && step
         ? `role="button" tabindex="-1" data-step="${step.index}" aria-label="${step.foot === "left" ? "Left" : "Right"}, ${d.words[step.category].toLowerCase()}, ${step.lift.toFixed(2)} to ${step.land.toFixed(2)} s"`
         : "";
+    const following = step ? own[own.indexOf(step) + 1] : undefined;
     const hovered = step !== null && (step.index === d.hover || d.selected.includes(step.index));
     // The landing's edge is caught within 8 pixels, and drawn for what is selected.
     const edge =
       step && Math.abs(step.land - from / 60) < 0.2
         ? `<rect data-edge="${step.index}" x="${px(a - 8)}" y="${px(top)}" width="14" height="${px(bar)}" fill="transparent" style="cursor:ew-resize"/>`
         : "";
+    // So is the lift's, where the foot steps on.
+    const lifts =
+      step && following && Math.abs(following.lift - f / 60) < 0.2
+        ? `<rect data-lift="${step.index}" x="${px(a + w - Math.min(6, w / 3))}" y="${px(top)}" width="${px(8 + Math.min(6, w / 3))}" height="${px(bar)}" fill="transparent" style="cursor:ew-resize"/>`
+        : "";
+    const chosen = step !== null && d.selected.includes(step.index);
+    const handles = chosen
+      ? [edge === "" ? null : a, lifts === "" ? null : a + w].flatMap((at) =>
+          at === null
+            ? []
+            : [
+                `<rect x="${px(at - 3)}" y="${px(top - 1.5)}" width="6" height="${px(bar + 3)}" rx="3" fill="var(--paper)" stroke="var(--ink)" stroke-width="1.5" pointer-events="none"/>`,
+              ],
+        )
+      : [];
+    // A plant that is enforced is underlined with ink.
+    const forced =
+      step?.plant === "enforce"
+        ? `<line x1="${px(a + 2)}" x2="${px(a + w - 2)}" y1="${px(top + bar - 1.5)}" y2="${px(top + bar - 1.5)}" stroke="var(--ink)" stroke-width="2"/>`
+        : "";
     out.push(
-      `<g ${named} opacity="${past ? 0.45 : 1}"><rect x="${px(a)}" y="${px(top)}" width="${px(w)}" height="${px(bar)}" rx="4" fill="${c.fill}" stroke="${hovered ? "var(--ink)" : "color-mix(in srgb, var(--ink) 55%, transparent)"}" stroke-width="${hovered ? 2 : 0.8}"/>${row === 0 && w >= 22 && step ? `<text class="bar-text" x="${px(a + w / 2)}" y="${px(top + bar - 3)}" text-anchor="middle" style="fill:${c.mark}">${c.code}</text>` : ""}${edge}</g>`,
+      `<g ${named} opacity="${past ? 0.45 : 1}"><rect x="${px(a)}" y="${px(top)}" width="${px(w)}" height="${px(bar)}" rx="4" fill="${c.fill}" stroke="${hovered ? "var(--ink)" : "color-mix(in srgb, var(--ink) 55%, transparent)"}" stroke-width="${hovered ? 2 : 0.8}"/>${row === 0 && w >= 22 && step ? `<text class="bar-text" x="${px(a + w / 2)}" y="${px(top + bar - 3)}" text-anchor="middle" style="fill:${c.mark}">${c.code}</text>` : ""}${forced}${edge}${lifts}${handles.join("")}</g>`,
     );
     from = -1;
   }

@@ -59,7 +59,7 @@ export class Stage {
   private theme: Theme = "light";
   private waiting = 0;
   /** Farthest that a scene is framed from, metres. */
-  private farthest = 13;
+  private farthest = 14;
   private figureShown = true;
   private held = false;
   private warming = false;
@@ -115,7 +115,7 @@ export class Stage {
   /** A wide floor without walls, seen from farther off: for crowds. */
   setOpen(open: boolean): void {
     this.room.setOpen(open);
-    this.farthest = open ? 45 : 13;
+    this.farthest = open ? 45 : 14;
     this.controls.maxDistance = this.farthest + 1;
     this.camera.far = open ? 120 : 60;
     this.camera.updateProjectionMatrix();
@@ -131,9 +131,9 @@ export class Stage {
   }
 
   /** Furniture of a scene and the rings under its tasks; `selected` names tasks. */
-  setScene(scene: Scene, selected: readonly string[]): void {
+  setScene(scene: Scene, selected: readonly string[], dragged: readonly string[] = []): void {
     this.furniture.set(scene);
-    this.marks.set(scene.tasks, selected, ROOMS[this.theme].ink);
+    this.marks.set(scene.tasks, selected, ROOMS[this.theme].ink, dragged);
     this.invalidate();
   }
 
@@ -288,7 +288,10 @@ export class Stage {
     );
     const distance = (reach * 1.12) / Math.tan((this.camera.fov * Math.PI) / 360) / Math.min(1.45, aspect);
     this.controls.target.copy(c);
-    this.camera.position.copy(c).addScaledVector(direction, Math.max(3, Math.min(this.farthest, distance)));
+    // A narrow picture is taken from farther off, or its sides are cut.
+    const farthest = this.farthest * Math.min(1.3, Math.max(1, 1.25 / aspect));
+    this.controls.maxDistance = farthest + 1;
+    this.camera.position.copy(c).addScaledVector(direction, Math.max(3, Math.min(farthest, distance)));
     this.controls.update();
     this.invalidate();
   }
@@ -314,6 +317,12 @@ export class Stage {
   /** Draws at once and in full, for those who read the canvas in the same turn. */
   drawNow(): void {
     this.drawFull();
+  }
+
+  /** How much lies on the graphics card now: geometries, textures, shader programs. */
+  graphics(): { geometries: number; textures: number; programs: number } {
+    const { memory, programs } = this.renderer.info;
+    return { geometries: memory.geometries, textures: memory.textures, programs: programs?.length ?? 0 };
   }
 
   /** What is drawn, as a PNG. @throws Error when the browser gives none. */

@@ -1,10 +1,9 @@
-/** Marks of the tasks in the room: a ring on the floor, a dashed stem up to where the task is, a disc under those selected. */
+/** Marks of the tasks in the room: a ring on the floor, dashed while its task is dragged, a dashed stem up to where the task is, a disc under those selected. */
 import {
   BufferGeometry,
   CircleGeometry,
   Group,
   Line,
-  LineBasicMaterial,
   LineDashedMaterial,
   LineLoop,
   Mesh,
@@ -17,11 +16,13 @@ import type { SceneTask } from "../core/scene/types.ts";
 const RADIUS = 0.3;
 const CORNERS = 64;
 const QUIET = 0.45;
+/** Dashes of a ring that is dragged: 20 about it, metres. */
+const DASH = (2 * Math.PI * RADIUS) / 40;
 
 interface Mark {
   group: Group;
   stem: Line<BufferGeometry, LineDashedMaterial>;
-  ring: LineLoop<BufferGeometry, LineBasicMaterial>;
+  ring: LineLoop<BufferGeometry, LineDashedMaterial>;
   disc: Mesh<BufferGeometry, MeshBasicMaterial>;
   /** Height that the stem reaches, metres. */
   height: number;
@@ -38,8 +39,17 @@ export class TaskMarks {
   );
   private readonly plate = new CircleGeometry(RADIUS, 48).rotateX(-Math.PI / 2);
 
-  /** @param selected ids of the tasks that are selected. */
-  set(tasks: readonly SceneTask[], selected: readonly string[], ink: string): void {
+  constructor() {
+    new LineLoop(this.circle).computeLineDistances();
+  }
+
+  /** @param selected ids of the tasks that are selected; `dragged` of those that are being dragged. */
+  set(
+    tasks: readonly SceneTask[],
+    selected: readonly string[],
+    ink: string,
+    dragged: readonly string[] = [],
+  ): void {
     const gone = new Set(this.marks.keys());
     for (const t of tasks) {
       gone.delete(t.id);
@@ -58,6 +68,7 @@ export class TaskMarks {
       }
       for (const part of [m.stem, m.ring, m.disc]) part.material.color.set(ink);
       m.ring.material.opacity = chosen ? 1 : QUIET;
+      m.ring.material.gapSize = dragged.includes(t.id) ? DASH : 0;
       m.disc.visible = chosen;
     }
     for (const id of gone) this.remove(id);
@@ -76,7 +87,10 @@ export class TaskMarks {
         depthTest: false,
       }),
     );
-    const ring = new LineLoop(this.circle, new LineBasicMaterial({ transparent: true }));
+    const ring = new LineLoop(
+      this.circle,
+      new LineDashedMaterial({ transparent: true, dashSize: DASH, gapSize: 0 }),
+    );
     ring.position.y = 0.006;
     const disc = new Mesh(
       this.plate,

@@ -44,7 +44,7 @@ interface Playing {
   plan: Plan;
   goals: TaskGoal[];
   key: string;
-  shown: { shift: Float64Array; drop: Float64Array } | null;
+  shown: { shift: Float64Array; drop: Float64Array; heels: Float64Array } | null;
 }
 
 /** Sends one answer; what is in the second list may be transferred. */
@@ -239,7 +239,8 @@ export function createPlanner(post: PostAnswer, slice: number = SLICE): (message
     const started = performance.now();
     const kept = earlier && shown ? { ...shown, until: Math.round(earlier.now * 60) } : null;
     const synthesis = beginSynthesis(library, skeleton, plan, goals, cache, kept);
-    now.shown = { shift: synthesis.track.shift, drop: synthesis.track.drop };
+    const { shift, drop, heels } = synthesis.track;
+    now.shown = { shift, drop, heels };
     const chunks: MotionChunk[] = [];
     for (let first = 0; first < synthesis.frames; first += slice) {
       const chunk = synthesiseChunk(synthesis, first, slice);

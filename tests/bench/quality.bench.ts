@@ -1,6 +1,6 @@
 /**
  * Motion quality over a fixed set of scenes of all the systems: every figure of docs/quality.md for the example scenes (tasks,
- * paths, stones, crowds) and for paths in all styles, beside what real captures of walking score (their 95th percentile) and
+ * paths, stones, crowds), an obstacle course, stairs, and paths in all styles, beside what real captures of walking score (their 95th percentile) and
  * the goal.
  */
 import { bakeLibrary } from "../../src/core/blending/library.ts";
@@ -22,6 +22,7 @@ import { cyclicSources } from "../../src/studio/blend-library.ts";
 import { styleFamilies } from "../../src/studio/style-families.ts";
 import { STYLES } from "../../src/studio/styles.ts";
 import { studio } from "../support/library.ts";
+import { courseScene, stairsScene } from "../support/stone-scenes.ts";
 import type { BenchModule, Figure } from "./types.ts";
 
 const Q = 4 * JOINT_COUNT;
@@ -248,7 +249,11 @@ const bench: BenchModule = {
       const scene = e.scene();
       rows.push({ name: e.name, quality: scene.crowd ? ofCrowd(e.name, scene) : ofScene(e.name, scene) });
     }
-    for (const p of pathScenes()) {
+    for (const p of [
+      { name: "Obstacle course", scene: courseScene() },
+      { name: "Stairs", scene: stairsScene() },
+      ...pathScenes(),
+    ]) {
       options.progress(`quality: ${p.name}`);
       rows.push({ name: p.name, quality: ofScene(p.name, p.scene) });
     }

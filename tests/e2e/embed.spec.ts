@@ -281,6 +281,42 @@ for (const [name, path] of [
       }
   });
 
+test("without WebGL 2: the room from above, with the same footprints and handles", async ({ page }) => {
+  await page.addInitScript(() => {
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (
+      this: HTMLCanvasElement,
+      kind: string,
+      ...rest: unknown[]
+    ) {
+      return kind.startsWith("webgl") ? null : Reflect.apply(get, this, [kind, ...rest]);
+    } as typeof get;
+  });
+  await page.goto(`/embed.html?scene=${encodeURIComponent(SMALL)}`);
+  await solved(page, 1);
+  const scene = page.locator(SCENE);
+  await expect(scene.getByText(/Seen from above/)).toBeVisible();
+  const planned = () =>
+    page.evaluate(() => document.querySelector<StepwrightScene>("stepwright-scene")!.plan!.steps.length);
+  await expect(scene.locator(".plan .print")).toHaveCount((await planned()) + 2);
+  const marker = scene.locator('[data-marker="turn"]');
+  const from = (await marker.boundingBox())!;
+  await page.mouse.move(from.x + 22, from.y + 22);
+  await page.mouse.down();
+  await page.mouse.move(from.x - 20, from.y - 10, { steps: 4 });
+  await page.mouse.up();
+  const moved = await page.evaluate(
+    () => document.querySelector<StepwrightScene>("stepwright-scene")!.scene!.tasks[0].position,
+  );
+  expect(moved[0]).toBeGreaterThan(0.5);
+  expect(moved[2]).toBeGreaterThan(1.3);
+  // The handle is where the pointer left it.
+  const to = (await marker.boundingBox())!;
+  expect(Math.abs(to.x - (from.x - 42))).toBeLessThan(2);
+  await page.evaluate(() => document.querySelector<StepwrightScene>("stepwright-scene")!.seek(1));
+  await page.screenshot({ path: "artefacts/embed-from-above.png" });
+});
+
 /** What a minimal element loads before it asks for captures: the module, what that imports at once, and both workers. */
 function firstFiles(folder: string): Set<string> {
   const found = new Set<string>();

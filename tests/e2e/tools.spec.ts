@@ -36,7 +36,12 @@ test("a footstep is selected and moved by keyboard, the plan answers; a link car
   expect(before.selection[0].kind).toBe("step");
   await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("ArrowLeft");
-  await page.waitForFunction(() => window.stepwright!.state().scene.edits.length === 1);
+  // Its plant is enforced: heel and toe rest from landing to lift.
+  await page.keyboard.press("m");
+  await page.waitForFunction(() => window.stepwright!.state().scene.edits[0]?.plant === "enforce");
+  await expect(page.getByRole("group", { name: "Plant" }).getByRole("button", { pressed: true })).toHaveText(
+    "Enforce",
+  );
   await finishedNewest(page);
   const edit = await page.evaluate(() => window.stepwright!.state().scene.edits[0]);
   const near = await page.evaluate(
@@ -64,6 +69,7 @@ test("a footstep is selected and moved by keyboard, the plan answers; a link car
   // Undo gives the footstep back.
   await page.keyboard.press("Control+z");
   await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
   await page.waitForFunction(() => window.stepwright!.state().scene.edits.length === 0);
 });
 
@@ -89,6 +95,30 @@ test("exports are files that hold what they say; a scene and a character are dro
   expect(glb.data.subarray(0, 4).toString()).toBe("glTF");
   const picture = await save("Picture of the room (PNG)");
   expect(picture.data.subarray(1, 4).toString()).toBe("PNG");
+  const seen = await page.evaluate(async (b) => {
+    const bytes = Uint8Array.from(atob(b), (c) => c.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const context = canvas.getContext("2d")!;
+    context.drawImage(bitmap, 0, 0);
+    return {
+      size: [bitmap.width, bitmap.height],
+      shades: new Set(context.getImageData(0, 0, bitmap.width, bitmap.height).data).size,
+    };
+  }, picture.data.toString("base64"));
+  expect(seen.size).toEqual(
+    await page.evaluate(() => {
+      const c = document.querySelector<HTMLCanvasElement>("#stage")!;
+      return [c.width, c.height];
+    }),
+  );
+  expect(seen.shades).toBeGreaterThan(100);
+  const frames = await page.evaluate(() => window.stepwright!.frames()!.filled);
+  const contacts = await save("Contacts (CSV)");
+  expect(contacts.data.toString().trim().split("\n")).toHaveLength(frames + 1);
+  const result = JSON.parse((await save("Footsteps, contacts, figures (JSON)")).data.toString());
+  expect(result.footsteps).toHaveLength(planned + 2);
+  expect(result.contacts).toHaveLength(frames);
   const scene = await save(/^Scene \(JSON\)/);
 
   const drop = (name: string, bytes: Buffer) =>
@@ -113,6 +143,78 @@ test("exports are files that hold what they say; a scene and a character are dro
   await expect(page.getByText(/broken\.glb: no glTF character/).first()).toBeVisible();
   await drop("notes.docx", Buffer.from("no"));
   await expect(page.getByText(/notes\.docx: files of this kind are not read/).first()).toBeVisible();
+});
+
+test("a video of the viewport plays: as long as the motion, as large as the room, and it moves", async ({
+  page,
+  context,
+}) => {
+  // Small pictures, drawn quickly without a graphics card.
+  await page.setViewportSize({ width: 420, height: 700 });
+  await open(page);
+  await page.evaluate(() => {
+    const text = JSON.stringify({
+      version: 1,
+      tasks: [{ id: "turn", category: "turn", position: [0, 0, 0], yaw: 1.2 }],
+    });
+    const data = new DataTransfer();
+    data.items.add(new File([text], "turn.json"));
+    window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
+  });
+  await page.waitForFunction(() => window.stepwright!.state().scene.tasks[0]?.id === "turn");
+  await finishedNewest(page);
+  await page.getByRole("button", { name: "More", exact: true }).click();
+  const [file] = await Promise.all([
+    page.waitForEvent("download", { timeout: 120_000 }),
+    page.getByRole("button", { name: "Video of the viewport (WebM)" }).click(),
+  ]);
+  expect(file.suggestedFilename()).toBe("turn.webm");
+  const video = await readFile(await file.path());
+  const { duration, width, height } = await page.evaluate(() => {
+    const { width: w, height: h } = document.querySelector<HTMLCanvasElement>("#stage")!;
+    return { duration: window.stepwright!.state().plan!.duration, width: w & ~1, height: h & ~1 };
+  });
+  // The browser's own player is the reader.
+  const player = await context.newPage();
+  const seen = await player.evaluate(
+    async (source) => {
+      const v = document.createElement("video");
+      v.muted = true;
+      v.src = source;
+      const once = (name: string) =>
+        new Promise((done, fail) => {
+          v.addEventListener(name, done, { once: true });
+          v.addEventListener("error", () => fail(new Error(v.error?.message)), { once: true });
+        });
+      await once("loadeddata");
+      const canvas = document.createElement("canvas");
+      canvas.width = v.videoWidth;
+      canvas.height = v.videoHeight;
+      const context2d = canvas.getContext("2d", { willReadFrequently: true })!;
+      const frames: Uint8ClampedArray[] = [];
+      for (const part of [0.1, 0.5, 0.9]) {
+        v.currentTime = part * v.duration;
+        await once("seeked");
+        context2d.drawImage(v, 0, 0);
+        frames.push(context2d.getImageData(0, 0, canvas.width, canvas.height).data);
+      }
+      const differing = (a: Uint8ClampedArray, b: Uint8ClampedArray) =>
+        a.reduce((n, x, i) => n + (Math.abs(x - b[i]) > 24 ? 1 : 0), 0);
+      return {
+        duration: v.duration,
+        width: v.videoWidth,
+        height: v.videoHeight,
+        shades: new Set(frames[0]).size,
+        moved: [differing(frames[0], frames[1]), differing(frames[1], frames[2])],
+      };
+    },
+    `data:video/webm;base64,${video.toString("base64")}`,
+  );
+  await player.close();
+  expect(Math.abs(seen.duration - duration)).toBeLessThan(0.1);
+  expect([seen.width, seen.height]).toEqual([width, height]);
+  expect(seen.shades).toBeGreaterThan(50);
+  for (const n of seen.moved) expect(n).toBeGreaterThan(200);
 });
 
 test("every control is reached by keyboard, in order, with a name; the sheet lists the keys", async ({

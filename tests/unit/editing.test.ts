@@ -1,14 +1,17 @@
 // @vitest-environment happy-dom
 /** The editor driven without a browser: tools, selection, one history for everything; links that carry scenes. */
 import fc from "fast-check";
+import { render } from "lit";
 import { describe, expect, it, vi } from "vitest";
 import { copyThings, pasteThings, readFragment } from "../../src/core/scene/clipboard.ts";
 import { defaultScene } from "../../src/core/scene/default-scene.ts";
+import { fieldsOf, type ThingName } from "../../src/core/scene/fields.ts";
 import { parseScene } from "../../src/core/scene/schema.ts";
 import type { Editor } from "../../src/editor/editor.ts";
 import { EXAMPLES } from "../../src/editor/examples.ts";
 import { allKeys, chord } from "../../src/editor/keys.ts";
 import { readNumber } from "../../src/editor/parts/number-field.ts";
+import { schemaRows } from "../../src/editor/parts/schema-rows.ts";
 import { ref } from "../../src/editor/selection.ts";
 import { carriesScene, sceneFromHash, sceneToHash } from "../../src/editor/session/share.ts";
 import { createTestEditor } from "../support/test-editor.ts";
@@ -221,5 +224,94 @@ describe("keys and numbers", () => {
     expect(readNumber("\u22120.25")).toBe(-0.25);
     expect(readNumber("")).toBeNaN();
     expect(readNumber("two")).toBeNaN();
+  });
+});
+
+describe("the inspector", () => {
+  /** A document with one thing of a kind whose field has a value. */
+  const holding: Record<ThingName, (key: string, value: unknown) => object> = {
+    task: (key, value) => ({ tasks: [{ id: "a", category: "write", position: [0, 1, 0], [key]: value }] }),
+    prop: (key, value) => ({ props: [{ id: "a", kind: "table", position: [0, 0, 0], [key]: value }] }),
+    edit: (key, value) => ({ edits: [{ step: 0, [key]: value }] }),
+    character: (key, value) => ({ character: { [key]: value } }),
+    proportions: (key, value) => ({ character: { proportions: { [key]: value } } }),
+  };
+  const accepted = (thing: ThingName, key: string, value: unknown): boolean => {
+    try {
+      parseScene({ version: 1, ...holding[thing](key, value) });
+      return true;
+    } catch {
+      return false;
+    }
+  };
+
+  for (const thing of ["task", "prop", "edit", "character", "proportions"] as const)
+    it(`${thing}: what its fields say they take is what the document takes`, () => {
+      const fields = fieldsOf(thing);
+      expect(fields.length).toBeGreaterThan(0);
+      for (const f of fields) {
+        if (f.kind === "number") {
+          for (const v of f.range) expect(accepted(thing, f.key, v), `${f.key} ${v}`).toBe(true);
+          expect(accepted(thing, f.key, f.range[0] - 0.01)).toBe(false);
+          expect(accepted(thing, f.key, f.range[1] + 0.01)).toBe(false);
+        }
+        if (f.kind === "numbers") {
+          expect(
+            accepted(
+              thing,
+              f.key,
+              f.axes.map(() => 1),
+            ),
+          ).toBe(true);
+          expect(
+            accepted(
+              thing,
+              f.key,
+              f.axes.slice(1).map(() => 1),
+            ),
+          ).toBe(false);
+        }
+        if (f.kind === "choice") {
+          for (const o of f.options) {
+            expect(accepted(thing, f.key, o.value)).toBe(true);
+            expect(o.word).toMatch(/^[A-Z]/);
+          }
+          expect(accepted(thing, f.key, "none such")).toBe(false);
+        }
+        if (f.slider)
+          for (const v of f.slider) expect(accepted(thing, f.key, v), `slider of ${f.key}`).toBe(true);
+        expect(accepted(thing, f.key, null)).toBe(f.nullable);
+      }
+    });
+
+  it("a row for every field, in the schema's order; changes reach the scene as one entry each", () => {
+    const { editor } = createTestEditor();
+    const place = document.createElement("div");
+    const set = (key: string, value: unknown) =>
+      editor.edit((s, c) => c.changeTask(s, "write", { [key]: value }));
+    const show = () => {
+      const task = scene(editor).tasks[0];
+      render(schemaRows(editor, "task", { values: { ...task }, of: task.category, set }), place);
+    };
+    show();
+    const named = [...place.querySelectorAll(".row > span:first-child")].map((x) => x.textContent);
+    expect(named).toEqual(fieldsOf("task").map((f) => f.label));
+    const press = (label: string) =>
+      [...place.querySelectorAll("button")].find((b) => b.textContent === label)?.click();
+    press("Low");
+    press("Left");
+    expect(scene(editor).tasks[0]).toMatchObject({ effort: 0, hand: "left" });
+    const hold = place.querySelector<HTMLInputElement>('[aria-label="Hold"]')!;
+    hold.value = "2,5";
+    hold.dispatchEvent(new Event("change"));
+    expect(scene(editor).tasks[0].duration).toBe(2.5);
+    for (let k = 0; k < 3; k++) editor.scene.undo();
+    expect(scene(editor)).toEqual(defaultScene());
+    // What means nothing for a turn is not asked.
+    render(schemaRows(editor, "task", { values: {}, of: "turn", set }), place);
+    expect([...place.querySelectorAll(".row > span:first-child")].map((x) => x.textContent)).toEqual([
+      "Position",
+      "Facing",
+    ]);
   });
 });

@@ -22,7 +22,9 @@ const none: FootstepEdit = {
   yaw: null,
   lift: null,
   land: null,
+  rest: null,
   pinned: false,
+  plant: "auto",
 };
 /** The default scene with one footstep of its plan edited. */
 const edited = (index: number, change: Partial<FootstepEdit>): Scene => ({
@@ -98,6 +100,65 @@ describe("edits of planned footsteps", () => {
     const q = quality(scene, plan);
     expect(q.footstepError?.position).toBeLessThan(1);
     expect(q.skate).toBeLessThan(4);
+  });
+
+  it("plants: enforced ones hold heel and toe from landing to lift, never ones claim nothing; the rest is as it was", () => {
+    const bits = (plan: Plan) => {
+      const s = beginSynthesis(fitted, skeleton, plan, [], new Map());
+      synthesiseClip(s, "x");
+      return s.track;
+    };
+    const base = bits(plain);
+    const step = plain.steps[middle];
+    const side = step.foot === "left" ? 0 : 1;
+    const from = Math.round(step.land * 60) + 1;
+    const next = plain.steps.findIndex((s, i) => i > middle && s.foot === step.foot);
+    const until = Math.round(plain.steps[next].lift * 60) - 1;
+    const of = (track: typeof base, f: number) => (track.contacts[f] >> (2 * side)) & 3;
+    // A walked plant rolls: at its ends only one of the two rests.
+    expect([...base.contacts.slice(from, until)].some((_, k) => of(base, from + k) !== 3)).toBe(true);
+    for (const plant of ["enforce", "never"] as const) {
+      const scene = edited(middle, { plant });
+      const plan = planScene(scene, fitted, skeleton);
+      expect(plan.steps[middle].plant).toBe(plant);
+      const track = bits(plan);
+      // A heel that strikes takes a moment to come down.
+      for (let f = plant === "never" ? from : from + 3; f < until; f++)
+        expect(of(track, f), `${plant} at ${f}`).toBe(plant === "never" ? 0 : 3);
+      for (let f = 0; f < base.frames; f++) {
+        const other = (t: typeof base) => (t.contacts[f] >> (2 - 2 * side)) & 3;
+        expect(other(track), `the other foot at ${f}`).toBe(other(base));
+        if (f < Math.round(step.lift * 60) || f > Math.round(plain.steps[next].land * 60) + 12)
+          expect(of(track, f), `the foot at ${f}`).toBe(of(base, f));
+      }
+      const q = quality(scene, plan);
+      expect(q.skate).toBeLessThan(4);
+      expect(q.penetration).toBeLessThan(3);
+      expect(q.limitViolations).toBe(0);
+      expect(q.poppingOwn).toBeLessThan(1.75);
+      // What is not claimed though the foot rests is counted.
+      expect(q.missedPlants).toBe(plant === "never" ? 2 : 0);
+    }
+  });
+
+  it("rests: a plant lasts as long as asked, the step of the other foot takes the time, everything after moves along", () => {
+    const step = plain.steps[middle];
+    const lifts = (p: Plan) =>
+      p.steps.find((s, i) => i > middle && s.foot === step.foot)!.lift - p.steps[middle].land;
+    for (const factor of [1.5, 0.8]) {
+      const wanted = factor * lifts(plain);
+      const scene = edited(middle, { rest: wanted });
+      const plan = planScene(scene, fitted, skeleton);
+      expect(plan.warnings).toEqual([]);
+      expect(lifts(plan)).toBeCloseTo(wanted, 1);
+      expect(plan.steps[middle].land).toBe(step.land);
+      expect(plan.duration - plain.duration).toBeCloseTo(wanted - lifts(plain), 1);
+      for (let i = 1; i < plan.segments.length; i++)
+        expect(plan.segments[i].start).toBe(plan.segments[i - 1].start + plan.segments[i - 1].frames);
+      const q = quality(scene, plan);
+      expect(q.skate).toBeLessThan(4);
+      expect(q.limitViolations).toBe(0);
+    }
   });
 
   it("out of reach: drawn in, and said in one sentence with both lengths", () => {

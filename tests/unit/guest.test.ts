@@ -1,17 +1,21 @@
 // @vitest-environment happy-dom
 /** Characters from files: bones found, and our motion on them with the feet where they were planned. */
+
+import { type VRM, VRMLoaderPlugin } from "@pixiv/three-vrm";
 import {
   Bone,
   BoxGeometry,
   Float32BufferAttribute,
   Group,
   MeshBasicMaterial,
+  MeshStandardMaterial,
   type Object3D,
   SkinnedMesh,
   Skeleton as ThreeSkeleton,
   Uint16BufferAttribute,
   Vector3,
 } from "three";
+import { GLTFExporter } from "three/addons/exporters/GLTFExporter.js";
 import { type GLTF, GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { describe, expect, it } from "vitest";
 import type { Clip } from "../../src/core/capture/clip.ts";
@@ -105,7 +109,106 @@ function mixamoRig(): GLTF {
   return { scene, parser: { json: {} } } as unknown as GLTF;
 }
 
+interface GltfJson {
+  nodes?: { name?: string }[];
+  extensions?: Record<string, unknown>;
+  extensionsUsed?: string[];
+}
+
+/** Names that say nothing, as in files where only the extension tells which bone is which. */
+const dumb = (joint: number): string => `node_${(joint * 7) % JOINT_COUNT}`;
+
+/**
+ * A character as a VRM file of either version, written by three's exporter: feet, knees and hands at places of their own, the arms a
+ * little down, and facing -Z in version 0.x, as its specification wants.
+ */
+async function vrmFile(version: "0.x" | "1.0"): Promise<ArrayBuffer> {
+  const bones = JOINT_NAMES.map((_, j) => {
+    const b = new Bone();
+    b.name = dumb(j);
+    const [x, y, z] = skeleton.offsets.subarray(3 * j, 3 * j + 3);
+    // Shorter shins, longer thighs: another person's legs.
+    const stretch = /LowerLeg/.test(JOINT_NAMES[j]) ? 1.06 : /Foot/.test(JOINT_NAMES[j]) ? 0.94 : 1;
+    b.position.set(x, y * stretch, z);
+    return b;
+  });
+  for (let j = 1; j < JOINT_COUNT; j++) bones[PARENTS[j]].add(bones[j]);
+  bones[J.leftUpperArm].rotation.z = -0.2;
+  bones[J.rightUpperArm].rotation.z = 0.2;
+  const scene = new Group();
+  if (version === "0.x") scene.rotation.y = Math.PI;
+  const geometry = new BoxGeometry(0.4, 1.75, 0.2).translate(0, 0.875, 0);
+  const n = geometry.getAttribute("position").count;
+  geometry.setAttribute("skinIndex", new Uint16BufferAttribute(new Uint16Array(4 * n), 4));
+  const first = Float32Array.from({ length: 4 * n }, (_, i) => (i % 4 === 0 ? 1 : 0));
+  geometry.setAttribute("skinWeight", new Float32BufferAttribute(first, 4));
+  const mesh = new SkinnedMesh(geometry, new MeshStandardMaterial());
+  scene.add(bones[0], mesh);
+  scene.updateMatrixWorld(true);
+  mesh.bind(new ThreeSkeleton(bones));
+  const exporter = new GLTFExporter().register((writer) => ({
+    afterParse() {
+      const { json } = writer as unknown as { json: GltfJson };
+      const nodes = json.nodes ?? [];
+      const node = (joint: JointName): number => nodes.findIndex((x) => x.name === dumb(J[joint]));
+      const extension =
+        version === "1.0"
+          ? {
+              VRMC_vrm: {
+                specVersion: "1.0",
+                meta: { name: "Somebody", authors: ["Nobody"], licenseUrl: "https://vrm.dev/licenses/1.0/" },
+                humanoid: { humanBones: Object.fromEntries(JOINT_NAMES.map((j) => [j, { node: node(j) }])) },
+              },
+            }
+          : {
+              VRM: {
+                specVersion: "0.0",
+                meta: { title: "Somebody", author: "Nobody" },
+                humanoid: {
+                  humanBones: JOINT_NAMES.map((j) => ({ bone: j, node: node(j), useDefaultValues: true })),
+                },
+                blendShapeMaster: { blendShapeGroups: [] },
+                secondaryAnimation: { boneGroups: [], colliderGroups: [] },
+                materialProperties: [],
+              },
+            };
+      json.extensions = { ...json.extensions, ...extension };
+      json.extensionsUsed = [...(json.extensionsUsed ?? []), ...Object.keys(extension)];
+    },
+  }));
+  return (await exporter.parseAsync(scene, { binary: true })) as ArrayBuffer;
+}
+
 describe("characters from files", () => {
+  for (const version of ["0.x", "1.0"] as const)
+    it(`VRM ${version}: every bone as three-vrm finds it, feet where they were planned`, async () => {
+      const bytes = await vrmFile(version);
+      const judge = new GLTFLoader().register((parser) => new VRMLoaderPlugin(parser));
+      const vrm = (await judge.parseAsync(bytes.slice(0), "")).userData.vrm as VRM;
+      expect(vrm.meta.metaVersion).toBe(version === "1.0" ? "1" : "0");
+      const gltf = await new GLTFLoader().parseAsync(bytes.slice(0), "");
+      const { map, sure } = await mapBones(gltf);
+      expect(sure).toBe(true);
+      expect(missingJoints(map)).toEqual([]);
+      for (const joint of JOINT_NAMES)
+        expect(map.get(joint)?.name, joint).toBe(vrm.humanoid.getRawBoneNode(joint)?.name);
+      const guest = new Guest(gltf.scene, map, skeleton);
+      for (let seed = 1; seed < 6; seed++) {
+        const p = pose(seed);
+        guest.setPose(p.root, 0, p.rotations, 0);
+        const wanted = joints(p);
+        for (const side of ["left", "right"] as const) {
+          const at = place(map.get(`${side}Foot`)!);
+          const j = J[`${side}Foot`];
+          expect(Math.hypot(at.x - wanted[3 * j], at.z - wanted[3 * j + 2])).toBeLessThan(0.001);
+          // Left is left, whatever way the file faces.
+          const knee = place(map.get(`${side}LowerLeg`)!);
+          const k = J[`${side}LowerLeg`];
+          expect(Math.hypot(knee.x - wanted[3 * k], knee.z - wanted[3 * k + 2])).toBeLessThan(0.06);
+        }
+      }
+    });
+
   it("our own GLB comes back: every bone by name, feet within 1 mm and the rest within 2 cm in any pose", async () => {
     const clip: Clip = {
       name: "x",

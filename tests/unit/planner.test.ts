@@ -92,6 +92,7 @@ describe("planner", () => {
     const after = beginSynthesis(fitted, skeleton, again, goalsOf(moved), new Map(), {
       shift: before.track.shift,
       drop: before.track.drop,
+      heels: before.track.heels,
       until: Math.floor(now * 60),
     });
     const frame = Math.floor(now * 60) - 10;

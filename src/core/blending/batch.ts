@@ -73,6 +73,8 @@ export const QUEUE_ROW = 9;
 export const POSE = 4 * JOINT_COUNT;
 /** The offset that a blend carries: Rodrigues vectors and their rates, then the hips' place and its rate. */
 export const OFFSET = 6 * JOINT_COUNT + 6;
+/** What keeps the body over its feet (balance.ts), numbers a character. */
+export const BALANCE = 23;
 
 export interface BatchOptions {
   /** Corners of the triangle may be replaced by clips that fit the root better and land this near, metres [Algorithm 1]. */
@@ -104,8 +106,12 @@ export interface Batch {
   /** Triangle last hit, one a foot. */
   triangle: Int32Array;
   offset: Float64Array;
+<<<<<<< HEAD
   /** How far each torso is turned over the feet, the shoulders' yaw less the root's, radians: set by who turns sideways in a gap. */
   upperYaw: Float64Array;
+=======
+  balance: Float64Array;
+>>>>>>> main
   /** Hips' world places, count x 3. */
   root: Float32Array;
   /** Local rotations xyzw, count x JOINT_COUNT x 4. */
@@ -158,7 +164,11 @@ export function createBatch(
     mixWeights: new Float64Array(3 * MIX * capacity),
     triangle: new Int32Array(2 * capacity),
     offset: new Float64Array(OFFSET * capacity),
+<<<<<<< HEAD
     upperYaw: new Float64Array(capacity),
+=======
+    balance: new Float64Array(BALANCE * capacity),
+>>>>>>> main
     root: new Float32Array(3 * capacity),
     rotations: new Float32Array(POSE * capacity),
     matrices: new Float32Array(o.matrices ? 16 * JOINT_COUNT * capacity : 0),

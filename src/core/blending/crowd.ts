@@ -15,6 +15,7 @@
 import { type GroundPose, midPose, toLocal } from "../math/frame2.ts";
 import { type Numbers, quatFromAxisAngle, quatMultiply } from "../math/quaternion.ts";
 import type { Footstep } from "../steps/types.ts";
+import { changeBalance, restBalance } from "./balance.ts";
 import {
   AIR,
   type Batch,
@@ -51,11 +52,10 @@ import { shownBody, writePose } from "./pose.ts";
 import { beginOffset, sampleBody } from "./sample.ts";
 import { findNext, landFoot, startStep } from "./start-step.ts";
 
-/** A footstep with its times, seconds on the crowd's clock; the normal is that of the ground, up when left out. */
+/** A footstep with its times, seconds on the crowd's clock. */
 export interface TimedFootstep extends Footstep {
   lift: number;
   land: number;
-  normal?: readonly [number, number];
 }
 
 /** Blends into and out of standing take longer, seconds. */
@@ -114,6 +114,7 @@ export function createBlendCrowd(
   crowd.push = (i, step) => push(b, i, step);
   crowd.clear = (i) => {
     b.queueCount[i] = 0;
+    changeBalance(b, i);
     findNext(b, i, 0);
     findNext(b, i, 1);
   };
@@ -179,6 +180,7 @@ function stand(b: Batch, i: number, at: GroundPose & { y?: number }): void {
   b.triangle[2 * i] = 0;
   b.triangle[2 * i + 1] = 0;
   b.landingError[i] = Number.NaN;
+  restBalance(b, i);
   writePose(b, i, b.time, 0, -1);
 }
 
@@ -207,6 +209,7 @@ function adopt(
   old.set([hips.x, root[1] - s[o + NOW + 3], hips.z], HIPS_AT);
   pose.set(b.library.stand);
   blend(b, i, b.time, old, old, pose, pose, STAND_BLEND);
+  restBalance(b, i);
   writePose(b, i, b.time, 0, -1);
 }
 
@@ -225,6 +228,7 @@ function push(b: Batch, i: number, step: TimedFootstep): boolean {
   q[row + 7] = step.lift;
   q[row + 8] = step.land;
   b.queueCount[i]++;
+  changeBalance(b, i);
   const f = STATE * i + FOOT + FOOT_STATE * side;
   if (b.state[f + F_NEXT] === Number.POSITIVE_INFINITY) findNext(b, i, side);
   return true;
@@ -267,6 +271,7 @@ function begin(b: Batch, i: number, row: number): void {
   const next =
     b.queueCount[i] > 0 ? b.queue[QUEUE_ROW * (QUEUE * i + b.queueHead[i]) + 7] : Number.POSITIVE_INFINITY;
   startStep(b, i, row, next);
+  changeBalance(b, i);
   const side = s[o + LAST_SIDE];
   const length = s[o + LAND] - lift;
   sampleBody(pose, b, 3 * i, side, 0);

@@ -1,9 +1,9 @@
 /**
  * Analytic two-bone legs for a batch [Barycentric §4.5]: how far the hips must sink so that both feet reach, and the legs closed on
- * their ankles with the knees where the blended pose has them.
+ * their ankles with the knees where the blended pose has them. The bend itself is core/ik's.
  */
 
-import { basisAlong } from "../ik/leg.ts";
+import { bendLeg } from "../ik/leg.ts";
 import { quatInverseMultiply, quatMultiply } from "../math/quaternion.ts";
 import { J } from "../skeleton/joints.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
@@ -23,7 +23,7 @@ export function legOf(skeleton: Skeleton): Leg {
 
 /** A leg never gets straighter than this under its full length, metres; and how softly it gets there. */
 const SPARE = 0.003;
-const SOFT = 0.004;
+const SOFT = 0.017;
 
 /** How far the hips must sink for an ankle (dx, dy, dz from the hip joint) to be in reach, softly, metres. */
 export function sinkFor(leg: Leg, dx: number, dy: number, dz: number): number {
@@ -57,8 +57,6 @@ export function closeLeg(
 ): void {
   const lower = upper + 1;
   const ankle = upper + 2;
-  const a = leg.thigh;
-  const b = leg.shank;
   const w = foot + ANKLE;
   // The way the knee points: as blended, and half of what the foot is turned beyond the blend.
   const tu = 4 * upper;
@@ -71,50 +69,7 @@ export function closeLeg(
   const kx = 2 * (world[tu] * world[tu + 2] + world[tu + 3] * world[tu + 1]) + 0.5 * (wantX - blendX);
   const ky = 2 * (world[tu + 1] * world[tu + 2] - world[tu + 3] * world[tu]);
   const kz = 1 - 2 * (world[tu] * world[tu] + world[tu + 1] * world[tu + 1]) + 0.5 * (wantZ - blendZ);
-  const hx = positions[3 * upper];
-  const hy = positions[3 * upper + 1];
-  const hz = positions[3 * upper + 2];
-  let dx = state[w] - hx;
-  let dy = state[w + 1] - hy;
-  let dz = state[w + 2] - hz;
-  const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-  const most = (a + b) * 0.99999;
-  const least = Math.abs(a - b) + 0.05 * (a + b);
-  const reach = distance < least ? least : Math.min(distance, most);
-  const f = 1 / Math.max(1e-9, distance);
-  dx *= f;
-  dy *= f;
-  dz *= f;
-  const along = kx * dx + ky * dy + kz * dz;
-  let px = kx - along * dx;
-  let py = ky - along * dy;
-  let pz = kz - along * dz;
-  const n = 1 / Math.max(1e-9, Math.sqrt(px * px + py * py + pz * pz));
-  px *= n;
-  py *= n;
-  pz *= n;
-  const cosine = (a * a + reach * reach - b * b) / (2 * a * reach);
-  const sine = Math.sqrt(Math.max(0, 1 - cosine * cosine));
-  const ux = cosine * dx + sine * px;
-  const uy = cosine * dy + sine * py;
-  const uz = cosine * dz + sine * pz;
-  const jx = hx + a * ux;
-  const jy = hy + a * uy;
-  const jz = hz + a * uz;
-  const ex = hx + reach * dx;
-  const ey = hy + reach * dy;
-  const ez = hz + reach * dz;
-  const xx = py * dz - pz * dy;
-  const xy = pz * dx - px * dz;
-  const xz = px * dy - py * dx;
-  basisAlong(world, tu, xx, xy, xz, -ux, -uy, -uz);
-  basisAlong(world, 4 * lower, xx, xy, xz, (jx - ex) / b, (jy - ey) / b, (jz - ez) / b);
-  positions[3 * lower] = jx;
-  positions[3 * lower + 1] = jy;
-  positions[3 * lower + 2] = jz;
-  positions[3 * ankle] = ex;
-  positions[3 * ankle + 1] = ey;
-  positions[3 * ankle + 2] = ez;
+  bendLeg(positions, world, upper, leg.thigh, leg.shank, state[w], state[w + 1], state[w + 2], kx, ky, kz);
   for (let k = 0; k < 4; k++) world[tf + k] = state[w + 3 + k];
   quatInverseMultiply(rotations, tu, world, 4 * J.hips, world, tu);
   quatInverseMultiply(rotations, 4 * lower, world, tu, world, 4 * lower);
@@ -136,7 +91,7 @@ export function closeLeg(
   const vx = 2 * (qy * oz - qz * oy);
   const vy = 2 * (qz * ox - qx * oz);
   const vz = 2 * (qx * oy - qy * ox);
-  positions[3 * t] = ex + ox + qw * vx + (qy * vz - qz * vy);
-  positions[3 * t + 1] = ey + oy + qw * vy + (qz * vx - qx * vz);
-  positions[3 * t + 2] = ez + oz + qw * vz + (qx * vy - qy * vx);
+  positions[3 * t] = positions[3 * ankle] + ox + qw * vx + (qy * vz - qz * vy);
+  positions[3 * t + 1] = positions[3 * ankle + 1] + oy + qw * vy + (qz * vx - qx * vz);
+  positions[3 * t + 2] = positions[3 * ankle + 2] + oz + qw * vz + (qx * vy - qy * vx);
 }

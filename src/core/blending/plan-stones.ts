@@ -142,7 +142,9 @@ function standOnGround(crowd: BlendCrowd, terrain: Terrain): void {
 function footOf(crowd: BlendCrowd, side: 0 | 1): Footstep {
   const out = { x: 0, y: 0, z: 0, yaw: 0 };
   crowd.footstep(0, side, out);
-  return { foot: side === 0 ? "left" : "right", ...out };
+  const p = FOOT + FOOT_STATE * side + PLACE;
+  const normal: [number, number] = [crowd.state[p + 4], crowd.state[p + 5]];
+  return { foot: side === 0 ? "left" : "right", ...out, normal };
 }
 
 /**
@@ -232,6 +234,7 @@ function planOf(
   const last: Record<Foot, Footstep> = { left: start[0], right: start[1] };
   const told = steps.map((s): Step => {
     const to: Footstep = { foot: s.foot, x: s.x, y: s.y, z: s.z, yaw: s.yaw };
+    if (s.normal) to.normal = s.normal;
     const step: Step = {
       foot: s.foot,
       category: "Walk",

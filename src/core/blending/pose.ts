@@ -5,6 +5,7 @@ import { quatMultiply } from "../math/quaternion.ts";
 import { contactsOfPitch } from "../motion/sole.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
+import { balanceHips } from "./balance.ts";
 import {
   AIR,
   ANKLE,
@@ -119,6 +120,7 @@ function twistBody(pose: Float64Array, twist: number): void {
 
 const legs = new WeakMap<object, Leg>();
 const turn = new Float64Array(4);
+const shift = new Float64Array(3);
 
 function legFor(b: Batch): Leg {
   const key = b.library.skeleton;
@@ -156,15 +158,17 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
   forwardKinematics(positions, world, skeleton, v, 0, pose, 0);
   let contacts = 0;
   let sink = 0;
+  footAt(b, i, 0, t, dt);
+  footAt(b, i, 1, t, dt);
+  balanceHips(shift, b, i, t, dt);
   for (let side = 0; side < 2; side++) {
     const f = o + FOOT + FOOT_STATE * side;
-    footAt(b, i, side, t, dt);
     const joint = 3 * (side === 0 ? J.leftUpperLeg : J.rightUpperLeg);
     const need = sinkFor(
       leg,
-      s[f + ANKLE] - positions[joint],
-      s[f + ANKLE + 1] - positions[joint + 1],
-      s[f + ANKLE + 2] - positions[joint + 2],
+      s[f + ANKLE] - positions[joint] - shift[0],
+      s[f + ANKLE + 1] - positions[joint + 1] - shift[2],
+      s[f + ANKLE + 2] - positions[joint + 2] - shift[1],
     );
     // A smooth largest of both.
     const a = sink * sink;
@@ -177,7 +181,11 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
       b.landingError[i] = Math.sqrt(dx * dx + dz * dz);
     }
   }
-  if (sink > 0) for (let j = 0; j < JOINT_COUNT; j++) positions[3 * j + 1] -= sink;
+  for (let j = 0; j < JOINT_COUNT; j++) {
+    positions[3 * j] += shift[0];
+    positions[3 * j + 1] += shift[2] - sink;
+    positions[3 * j + 2] += shift[1];
+  }
   for (let side = 0; side < 2; side++) {
     const f = o + FOOT + FOOT_STATE * side;
     const upper = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;

@@ -34,20 +34,19 @@ export function quatFromBasis(
 }
 
 /**
- * Closes the leg whose thigh is joint `upper` (shank upper + 1, foot upper + 2) on the ankle place (tx, ty, tz).
+ * Bends the leg whose thigh is joint `upper` (shank upper + 1, foot upper + 2) to bring its ankle to (tx, ty, tz): the one two-bone
+ * solution of the studio, the planner and the batch. No allocation.
  *
- * @param rotations local rotations, those of thigh and shank are written; @param positions, @param worldRotations
- *   likewise, hip's read; those of the foot's place written.
- * @param kx, ky, kz the way the knee points, any length.
+ * @param positions the hip's is read, knee's and ankle's are written; @param worldRotations thigh's and shank's are written.
+ * @param a, b lengths of thigh and shank, metres. @param kx, ky, kz the way the knee points, any length.
  * @returns how far the target is beyond reach, metres.
  */
-export function solveLeg(
-  rotations: Float64Array,
+export function bendLeg(
   positions: Float64Array,
   worldRotations: Float64Array,
-  parent: number,
   upper: number,
-  offsets: Float64Array,
+  a: number,
+  b: number,
   tx: number,
   ty: number,
   tz: number,
@@ -57,8 +56,6 @@ export function solveLeg(
 ): number {
   const lower = upper + 1;
   const foot = upper + 2;
-  const a = Math.hypot(offsets[3 * lower], offsets[3 * lower + 1], offsets[3 * lower + 2]);
-  const b = Math.hypot(offsets[3 * foot], offsets[3 * foot + 1], offsets[3 * foot + 2]);
   const hx = positions[3 * upper];
   const hy = positions[3 * upper + 1];
   const hz = positions[3 * upper + 2];
@@ -106,11 +103,41 @@ export function solveLeg(
   positions[3 * foot] = ex;
   positions[3 * foot + 1] = ey;
   positions[3 * foot + 2] = ez;
+  return Math.max(0, distance - longest);
+}
+
+/**
+ * Closes the leg whose thigh is joint `upper` on the ankle place (tx, ty, tz).
+ *
+ * @param rotations local rotations, those of thigh and shank are written; @param positions, @param worldRotations
+ *   likewise, hip's read; those of the foot's place written.
+ * @param kx, ky, kz the way the knee points, any length.
+ * @returns how far the target is beyond reach, metres.
+ */
+export function solveLeg(
+  rotations: Float64Array,
+  positions: Float64Array,
+  worldRotations: Float64Array,
+  parent: number,
+  upper: number,
+  offsets: Float64Array,
+  tx: number,
+  ty: number,
+  tz: number,
+  kx: number,
+  ky: number,
+  kz: number,
+): number {
+  const lower = upper + 1;
+  const foot = upper + 2;
+  const a = Math.hypot(offsets[3 * lower], offsets[3 * lower + 1], offsets[3 * lower + 2]);
+  const b = Math.hypot(offsets[3 * foot], offsets[3 * foot + 1], offsets[3 * foot + 2]);
+  const beyond = bendLeg(positions, worldRotations, upper, a, b, tx, ty, tz, kx, ky, kz);
   quatInverseMultiply(rotations, 4 * upper, worldRotations, 4 * parent, worldRotations, 4 * upper);
   quatInverseMultiply(rotations, 4 * lower, worldRotations, 4 * upper, worldRotations, 4 * lower);
   quatNormalize(rotations, 4 * upper);
   quatNormalize(rotations, 4 * lower);
-  return Math.max(0, distance - longest);
+  return beyond;
 }
 
 /** World rotation with the given X and Y axes (square to each other, unit). */

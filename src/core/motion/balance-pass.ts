@@ -25,6 +25,8 @@ export interface KeptBalance {
   shift: Float64Array;
   /** How far its hips were lowered for the legs to reach, a frame. */
   drop: Float64Array;
+  /** How far its heels were raised, left and right a frame. */
+  heels: Float64Array;
   until: number;
 }
 

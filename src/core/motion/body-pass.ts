@@ -7,6 +7,7 @@
 import { CLIP_RATE } from "../capture/clip.ts";
 import { wrapAngle } from "../math/angle.ts";
 import type { GroundPose } from "../math/frame2.ts";
+import { minimumJerk } from "../math/interpolate.ts";
 import {
   quatConjugate,
   quatFromAxisAngle,
@@ -60,6 +61,8 @@ export interface BodyTrack {
   shift: Float64Array;
   /** How far the hips were lowered for the legs to reach, metres a frame. */
   drop: Float64Array;
+  /** How far heels were raised beyond their captures', left and right a frame, radians. */
+  heels: Float64Array;
 }
 
 export function createBodyTrack(frames: number): BodyTrack {
@@ -73,6 +76,7 @@ export function createBodyTrack(frames: number): BodyTrack {
     sourceFrame: new Float64Array(frames),
     shift: new Float64Array(2 * frames),
     drop: new Float64Array(frames),
+    heels: new Float64Array(2 * frames),
   };
 }
 
@@ -173,11 +177,20 @@ function travelled(setup: SegmentSetup, source: number): number {
       : readTable(setup.travel, source - setup.step.start);
 }
 
+/**
+ * Fraction of its part of the warp that the root has made at a source frame.
+ */
+function carried(setup: SegmentSetup, source: number): number {
+  if (!setup.step) return 0;
+  const { from, to } = setup.segment;
+  return minimumJerk((source - from) / (to - from));
+}
+
 /** The capture's pose at a frame, laid on the plan's ground. */
 function mapBody(body: Body, setup: SegmentSetup, source: number): void {
   sampleClip(body.root, body.rotations, setup.source.clip, source);
   forwardKinematics(positions, world, setup.source.clip.skeleton, body.root, 0, body.rotations, 0);
-  const w = travelled(setup, source);
+  const w = carried(setup, source);
   for (let f = 0; f < 2; f++) {
     const joint = FEET[f];
     body.pitch[f] = pitchOf(world, 4 * joint);
@@ -244,7 +257,8 @@ function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): 
   }
   for (let f = 0; f < 2; f++) {
     const inertia = state.pitchInertia[f];
-    const clamp = (p: number) => bearingPitch(setup, p, flatOf(state.landedAge[f]));
+    const held = setup.plantBefore[f] === "enforce";
+    const clamp = (p: number) => (held ? 0 : bearingPitch(setup, p, flatOf(state.landedAge[f])));
     inertia.value[0] = state.lastPitch[f] - clamp(here.pitch[f]);
     inertia.speed[0] = (state.lastPitchSpeed[f] - (clamp(here.pitch[f]) - clamp(earlier.pitch[f]))) / DT;
     // A speed that would carry the foot far past its place is not handed on.
@@ -253,6 +267,10 @@ function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): 
     // A foot a little off flat settles at once.
     const size = Math.min(1, Math.abs(inertia.value[0]) / SETTLING);
     inertia.length = QUICK_PITCH + size * (PITCH_TIME - QUICK_PITCH);
+    if (setup.plantBefore[f] !== "never") continue;
+    // A foot that nothing holds goes on from where it was, in another capture.
+    takeGap(track, frame, setup, f as 0 | 1, setup.segment.from, state);
+    state.liftAge[f] = 0;
   }
 }
 
@@ -297,7 +315,8 @@ function writeFeet(
     const moving = step !== null && source >= step.start && source < step.end;
     const landed = step !== null && source >= step.end;
     const pi = state.pitchInertia[f];
-    const raw = bearingPitch(setup, here.pitch[f], flatOf(state.landedAge[f]));
+    const plant = moving ? undefined : landed ? setup.plantAfter[f] : setup.plantBefore[f];
+    const raw = plant === "enforce" ? 0 : bearingPitch(setup, here.pitch[f], flatOf(state.landedAge[f]));
     if (state.settled[f] && !moving) {
       state.settled[f] = false;
       pi.value[0] = -raw;
@@ -309,6 +328,15 @@ function writeFeet(
       LEAST_PITCH,
       Math.min(MOST_PITCH, raw + decay(pi.value[0], pi.speed[0], pi.age, pi.length)),
     );
+    if (plant === "never") {
+      state.liftAge[f] += DT;
+      swingFoot(track.feet, o, setup, f, source, here);
+      addLift(track.feet, o, state, f, state.liftAge[f], PITCH_TIME);
+      const free = pitchOf(track.feet, o + 3);
+      state.lastPitchSpeed[f] = frame > 0 ? free - state.lastPitch[f] : 0;
+      state.lastPitch[f] = free;
+      continue;
+    }
     if (!moving) {
       const on = landed ? setup.planAfter[f] : setup.planBefore[f];
       plantedFoot(
@@ -399,6 +427,28 @@ function startSwing(
   state: BodyState,
 ): void {
   const step = setup.step!;
+  const g = 7 * f;
+  takeGap(track, frame, setup, f, source, state);
+  mapBody(next, setup, step.end);
+  if (setup.plantAfter[f] === "never") {
+    // Nothing holds it where it lands: it comes down as the capture's does.
+    state.landGap.fill(0, g, g + 7);
+    return;
+  }
+  const p = setup.plantAfter[f] === "enforce" ? 0 : restingPitch(next.pitch[f]);
+  plantedFoot(row, 0, skeleton.foot, setup.planAfter[f], setup.heightAfter[f], p);
+  gap(state.landGap, g, setup, f, step.end, row);
+}
+
+/** The gap of the last two frames to the warped capture, and how fast it changes: what `addLift` lets die out. */
+function takeGap(
+  track: BodyTrack,
+  frame: number,
+  setup: SegmentSetup,
+  f: 0 | 1,
+  source: number,
+  state: BodyState,
+): void {
   const rate = (setup.segment.to - setup.segment.from) / setup.segment.frames;
   const g = 7 * f;
   for (let back = 0; back < 2; back++) {
@@ -409,10 +459,6 @@ function startSwing(
     gap(back === 0 ? state.liftGap : state.liftSpeed, g, setup, f, source - (1 + back) * rate, row);
   }
   for (let k = g; k < g + 7; k++) state.liftSpeed[k] = (state.liftGap[k] - state.liftSpeed[k]) / DT;
-  mapBody(next, setup, step.end);
-  const p = restingPitch(next.pitch[f]);
-  plantedFoot(row, 0, skeleton.foot, setup.planAfter[f], setup.heightAfter[f], p);
-  gap(state.landGap, g, setup, f, step.end, row);
 }
 
 /** Part of a swing in which what is left of the plant before it dies out. */

@@ -23,7 +23,7 @@ export interface Carry {
   place: TaskWindow | null;
   first: number;
   last: number;
-  /** Frame from which the hands are their own again. */
+  /** Frame at which the hands are free again. */
   over: number;
   track: BoxTrack;
 }
@@ -46,11 +46,12 @@ export interface HandState {
   penStart: Float64Array;
 }
 
+/** Most frames in which hands come back from a box that they have put down or let go, and the least. */
+const LET_GO = 40;
+const LET_GO_QUICKLY = 12;
 /** Half a box's width and the palm's way to it, metres. */
 const BOX_HALF = 0.18;
 const PALM_GAP = 0.01;
-/** Frames over which hands and trunk come back from a box that is let go for another. */
-const LET_GO = 30;
 /** Half a box's height, metres, and what pulls it to the floor, m/s^2. */
 const BOX_RISE = 0.13;
 const GRAVITY = 9.81;
@@ -61,15 +62,17 @@ export function createHandState(windows: TaskWindow[], frames: number): HandStat
   let open: TaskWindow | null = null;
   const close = (lift: TaskWindow, place: TaskWindow | null, next: TaskWindow | null = null) => {
     const first = lift.contact;
+    // A second box takes the hands: the first is let go in time for them to come back.
     const until = next ? Math.max(first, next.from - LET_GO) : frames - 1;
     const last = Math.min(frames - 1, place ? place.contact : until);
     if (last < first) return;
+    const over = place ? place.over : next ? Math.max(last + LET_GO_QUICKLY, next.from) : last + 1;
     carries.push({
       lift,
       place,
       first,
       last,
-      over: place ? place.over : last + (next ? LET_GO : 1),
+      over,
       track: {
         lift: lift.task.id,
         place: place?.task.id ?? null,
@@ -81,7 +84,6 @@ export function createHandState(windows: TaskWindow[], frames: number): HandStat
   };
   for (const w of windows) {
     if (w.task.category === "lift") {
-      // A second box takes the hands: the first is let go just before.
       if (open) close(open, null, w);
       open = w;
     } else if (w.task.category === "place" && open) {
@@ -317,11 +319,13 @@ function boxTargets(
     const held = frame >= carry.first && frame <= carry.last;
     const centre = [...body];
     let yaw = wrapAngle(bodyYaw);
+    let led = 0;
     for (const w of place ? [lift, place] : [lift]) {
       const i = state.windows.indexOf(w);
       const g = 3 * i;
       const weight = windowWeight(w, frame);
       if (weight <= 0) continue;
+      led = Math.max(led, weight);
       if (frame <= w.end && tipsByTask(v, w, setup, source)) {
         const mid = [(v[0] + v[3]) / 2, (v[1] + v[4]) / 2, (v[2] + v[5]) / 2];
         // At contact the hands' middle is the box's centre.
@@ -346,14 +350,13 @@ function boxTargets(
             : 1;
       yaw = wrapAngle(yaw + toTask * wrapAngle(w.target.yaw - yaw));
     }
+    if (led < 1) raise(centre, yaw, 1 - led, limbs, skeleton);
     const reach =
       frame < carry.first
         ? windowWeight(lift, frame)
         : held
           ? 1
-          : place
-            ? 1 - minimumJerk((frame - place.contact) / Math.max(1, Math.min(40, place.over - place.contact)))
-            : 1 - minimumJerk((frame - carry.last) / (carry.over - carry.last));
+          : 1 - minimumJerk((frame - carry.last) / Math.max(1, Math.min(LET_GO, carry.over - carry.last)));
     if (held) {
       const t = carry.track.transforms;
       const o = 7 * (frame - carry.first);
@@ -405,6 +408,34 @@ export function boxTracks(state: HandState, frames: number): BoxTrack[] {
     }
     return { ...track, frames: track.frames + fall, transforms };
   });
+}
+
+/** An arm that carries is bent at least to this share of its length; softness, metres. */
+const CARRYING_ARM = 0.93;
+const RAISE_EASE = 0.02;
+
+/**
+ * Raises what is carried to where the arms reach it bent. In captures of other things the hands hang, and a box between hanging
+ * hands would be held by straight arms and a bowed trunk. Mutates `centre`, by `share` of the way.
+ */
+function raise(centre: number[], yaw: number, share: number, limbs: LimbWorkspace, skeleton: Skeleton): void {
+  const o = skeleton.offsets;
+  const most = CARRYING_ARM * (Math.abs(o[3 * J.leftLowerArm]) + Math.abs(o[3 * J.leftHand]));
+  const half = BOX_HALF + PALM_GAP;
+  let need = 0;
+  for (let side = 0; side < 2; side++) {
+    const shoulder = 3 * (side === 0 ? J.leftUpperArm : J.rightUpperArm);
+    const hand = 4 * (side === 0 ? J.leftHand : J.rightHand);
+    const sign = side === 0 ? 1 : -1;
+    quatRotate(v, 9, limbs.world, hand, sign * skeleton.palm, 0, 0);
+    const x = centre[0] + sign * Math.cos(yaw) * half - v[9] - limbs.positions[shoulder];
+    const y = centre[1] - v[10] - limbs.positions[shoulder + 1];
+    const z = centre[2] - sign * Math.sin(yaw) * half - v[11] - limbs.positions[shoulder + 2];
+    const across = Math.min(0.9 * most, Math.hypot(x, z));
+    const over = -Math.sqrt(most * most - across * across) - y;
+    need += 0.25 * (over + Math.sqrt(over * over + RAISE_EASE * RAISE_EASE));
+  }
+  centre[1] += share * need;
 }
 
 /** How far the capture's hands' middle at contact is from its box, as laid on the plan: nothing for the studio's own build. */

@@ -10,7 +10,7 @@ import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import type { Step } from "../steps/types.ts";
 import { type Feet, footPose, stanceBefore } from "../tasks/draft.ts";
 import { pivotEnd } from "../tasks/pivots.ts";
-import type { Plan, PlannedSegment } from "../tasks/plan-types.ts";
+import type { Plan, PlannedSegment, PlannedStep } from "../tasks/plan-types.ts";
 import type { Library, LibraryClip } from "../templates/types.ts";
 import { createGroundMap, type GroundMap } from "./ground-map.ts";
 import { sampleClip } from "./sample.ts";
@@ -35,6 +35,9 @@ export interface SegmentSetup {
   /** Height of the ground under each foot, plan: before and after. */
   heightBefore: [number, number];
   heightAfter: [number, number];
+  /** What the user asks of the plants before and after; undefined: as the capture has them. */
+  plantBefore: [PlannedStep["plant"], PlannedStep["plant"]];
+  plantAfter: [PlannedStep["plant"], PlannedStep["plant"]];
   /** Whether its first frame goes on in the same capture where the segment before ended. */
   continues: boolean;
 }
@@ -51,6 +54,7 @@ export function setUpSegments(
   cache: Map<Step, { travel: Float64Array; yaw: Float64Array }>,
 ): SegmentSetup[] {
   const feet: Feet = { left: plan.start[0], right: plan.start[1] };
+  const plants: SegmentSetup["plantBefore"] = [undefined, undefined];
   return plan.segments.map((segment, i) => {
     const source = library.clips[segment.clip];
     const planned = segment.step >= 0 ? plan.steps[segment.step] : null;
@@ -63,10 +67,12 @@ export function setUpSegments(
     const planAfter: [GroundPose, GroundPose] = [...planBefore];
     const heightAfter: [number, number] = [...heightBefore];
     const sourceAfter: [GroundPose, GroundPose] = [...sourceBefore];
+    const plantBefore: SegmentSetup["plantBefore"] = [...plants];
     const swing: -1 | 0 | 1 = planned ? (planned.foot === "left" ? 0 : 1) : -1;
     if (planned && step && swing !== -1) {
       planAfter[swing] = { x: planned.x, z: planned.z, yaw: planned.yaw };
       heightAfter[swing] = planned.y;
+      plants[swing] = planned.plant;
       sourceAfter[swing] = footPose(step.to);
       feet[planned.foot] = { foot: planned.foot, x: planned.x, y: planned.y, z: planned.z, yaw: planned.yaw };
     }
@@ -91,6 +97,8 @@ export function setUpSegments(
       sourceAfter,
       heightBefore,
       heightAfter,
+      plantBefore,
+      plantAfter: [...plants],
       continues: before !== undefined && before.clip === segment.clip && before.to === segment.from,
     };
   });

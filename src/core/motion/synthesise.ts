@@ -14,6 +14,7 @@ import type { Library } from "../templates/types.ts";
 import { balanceBody, type KeptBalance } from "./balance-pass.ts";
 import { type BodyTrack, createBodyState, createBodyTrack, runBodyPass } from "./body-pass.ts";
 import { boxTracks, createHandState, type HandState, handTargets, inkOf } from "./hand-pass.ts";
+import { raiseHeels } from "./heel-pass.ts";
 import { leadToSeats, reachWithLegs, softenSwings } from "./hips-pass.ts";
 import {
   closeArms,
@@ -62,6 +63,7 @@ export function beginSynthesis(
   leadToSeats(track, setups, windows, skeleton);
   const limbs = createLimbWorkspace();
   balanceBody(track, windows, skeleton, limbs, kept);
+  raiseHeels(track, setups, skeleton, kept);
   softenSwings(track, skeleton);
   reachWithLegs(track, skeleton, kept);
   return {

@@ -9,6 +9,7 @@ import type { MotionChunk, QualityFigures } from "../motion/types.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
+import type { Footstep } from "../steps/types.ts";
 import type { Plan } from "../tasks/plan-types.ts";
 import type { TaskGoal } from "../tasks/transition.ts";
 import { balanceShares } from "./balance.ts";
@@ -114,6 +115,7 @@ export function measureMotion(
 ): QualityFigures {
   const points = motionPoints(skeleton, chunks, frames);
   const ground = groundUnder(plan, frames);
+  levelSoles(points, plan);
   const slides: number[] = [];
   const flats: number[] = [];
   let deepest = 0;
@@ -168,7 +170,7 @@ export function measureMotion(
     penetration: deepest,
     float: p95(floats),
     reach: reachOf(points, plan, goals, skeleton),
-    footstepError: footstepErrorOf(points, plan, ground),
+    footstepError: footstepErrorOf(points, plan, ground, skeleton.foot.ankleHeight),
     limitViolations: points.outOfRange,
     popping: popping?.popping ?? null,
     poppingOwn: popping?.own ?? null,
@@ -208,6 +210,36 @@ function groundUnder(plan: Plan, frames: number): [Float64Array, Float64Array] {
   for (const s of [...plan.steps].sort((a, b) => a.land - b.land))
     out[s.foot === "left" ? 0 : 1].fill(s.y, Math.max(0, Math.round(30 * (s.lift + s.land))));
   return out;
+}
+
+/**
+ * Heights of the soles as they would be were the ground of each footstep level: on a slope what counts is how far a point is over
+ * or under the slope through its footstep.
+ */
+function levelSoles(points: MotionPoints, plan: Plan): void {
+  const { soles, frames } = points;
+  const level = (s: Footstep, from: number, to: number): void => {
+    const [nx, nz] = s.normal ?? [0, 0];
+    if (nx === 0 && nz === 0) return;
+    const up = Math.sqrt(1 - nx * nx - nz * nz);
+    const side = s.foot === "left" ? 0 : 1;
+    for (let f = from; f < to; f++) {
+      for (let o = (2 * f + side) * ROW; o < (2 * f + side + 1) * ROW; o += 3)
+        soles[o + 1] += (nx * (soles[o] - s.x) + nz * (soles[o + 2] - s.z)) / up;
+    }
+  };
+  for (const foot of ["left", "right"] as const) {
+    let ground: Footstep = plan.start[foot === "left" ? 0 : 1];
+    let from = 0;
+    const own = plan.steps.filter((s) => s.foot === foot).sort((a, b) => a.land - b.land);
+    for (const s of own) {
+      const middle = Math.max(from, Math.min(frames, Math.round(30 * (s.lift + s.land))));
+      level(ground, from, middle);
+      ground = s;
+      from = middle;
+    }
+    level(ground, from, frames);
+  }
 }
 
 function runs(frames: number, on: (f: number) => boolean): [number, number][] {
@@ -278,6 +310,7 @@ function footstepErrorOf(
   points: MotionPoints,
   plan: Plan,
   ground: readonly [Float64Array, Float64Array],
+  ankleHeight: number,
 ): QualityFigures["footstepError"] {
   let place = 0;
   let yaw = 0;
@@ -303,7 +336,11 @@ function footstepErrorOf(
     }
     if (best < 0) return;
     const o = 3 * (JOINT_COUNT * best + joint);
-    place = Math.max(place, 1000 * Math.hypot(points.joints[o] - s.x, points.joints[o + 2] - s.z));
+    // Over flat soles the ankle is off by its height along the ground's normal.
+    const [nx, nz] = s.normal ?? [0, 0];
+    const dx = points.joints[o] - s.x - ankleHeight * nx;
+    const dz = points.joints[o + 2] - s.z - ankleHeight * nz;
+    place = Math.max(place, 1000 * Math.hypot(dx, dz));
     const heading = Math.atan2(
       points.joints[o + 3] - points.joints[o],
       points.joints[o + 5] - points.joints[o + 2],

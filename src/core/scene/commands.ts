@@ -153,6 +153,14 @@ export function setCharacter(scene: Scene, height: number, leg: number): Scene {
   };
 }
 
+/** The character's build changed: height, metres, and the factors of its proportions. */
+export function changeBuild(
+  scene: Scene,
+  change: Partial<Pick<Scene["character"], "height" | "proportions">>,
+): Scene {
+  return { ...scene, character: { ...scene.character, ...change } };
+}
+
 /** The character's file by name; null for the plain one. */
 export function setModel(scene: Scene, model: string | null): Scene {
   return { ...scene, character: { ...scene.character, model } };
@@ -225,7 +233,9 @@ export function editFootstep(
     yaw: null,
     lift: null,
     land: null,
+    rest: null,
     pinned: false,
+    plant: "auto" as const,
   };
   return { ...scene, edits: [...scene.edits.filter((e) => !mine(e)), { ...before, ...change }] };
 }

@@ -1,11 +1,12 @@
 /**
- * Reading scene documents: every field but `version` may be left out; a mistake gives one sentence with its path.
+ * Reading scene documents: every field but `version` may be left out; a mistake gives one sentence with its path. Each field of a thing
+ * also says how it is called and in what unit people read it: `fields.ts` lists them for inspectors.
  */
 import * as v from "valibot";
 import { FEET } from "../steps/types.ts";
 import { readJson } from "./json-text.ts";
 import { TASK_CATEGORIES } from "./task-types.ts";
-import { CROWD_GAITS, PROP_KINDS, PROP_SIZES, type Scene } from "./types.ts";
+import { CROWD_GAITS, PLANT_MODES, PROP_KINDS, PROP_SIZES, type Scene } from "./types.ts";
 
 /** What is wrong with a document, and where: "tasks[2].yaw: a number is needed, found \"left\"." */
 export class SceneError extends Error {
@@ -34,16 +35,49 @@ const list = <S extends v.BaseSchema<unknown, unknown, v.BaseIssue<unknown>>>(it
   v.pipe(v.array(item, "a list is needed"), v.maxLength(most, `at most ${most} entries are possible`));
 const oneOf = <T extends readonly [string, ...string[]]>(values: T) =>
   v.picklist(values, `one of ${values.join(", ")} is needed`);
-const factor = v.optional(within(0.7, 1.4), 1);
+
+/** What a field is to people: its name, the unit it is shown in, names of its parts or choices. */
+export interface FieldAbout {
+  label: string;
+  /** "°" of an angle in radians; the rest as they are. */
+  unit?: "m" | "°" | "s" | "m/s";
+  /** Names of the numbers of a tuple. */
+  axes?: readonly string[];
+  /** Words of choices, by value. */
+  words?: Readonly<Record<string, string>>;
+  /** Kinds or categories of things for which it means something; left out: all. */
+  only?: readonly string[];
+  /** Least and most of a slider that changes it; left out: a field. */
+  slider?: readonly [number, number];
+}
+const about = <S extends v.BaseSchema<unknown, unknown, v.BaseIssue<unknown>>>(schema: S, a: FieldAbout) =>
+  v.pipe(schema, v.metadata({ ...a }));
+
+const FOOT_WORDS = { left: "Left", right: "Right" };
+const facing = about(v.optional(angle, 0), { label: "Facing", unit: "°" });
+const position = about(point3, { label: "Position", unit: "m", axes: ["x", "y", "z"] });
+const factor = (label: string) => about(v.optional(within(0.7, 1.4), 1), { label, slider: [0.85, 1.15] });
 
 const task = object({
   id,
   category: oneOf(TASK_CATEGORIES),
-  effort: v.optional(v.picklist([0, 1] as const, "0 or 1 is needed"), 1),
-  position: point3,
-  yaw: v.optional(angle, 0),
-  duration: v.optional(v.nullable(within(0, 600)), null),
-  hand: v.optional(oneOf(["left", "right"]), "right"),
+  position,
+  yaw: facing,
+  effort: about(v.optional(v.picklist([0, 1] as const, "0 or 1 is needed"), 1), {
+    label: "Effort",
+    words: { 0: "Low", 1: "High" },
+    only: ["write"],
+  }),
+  hand: about(v.optional(oneOf(["left", "right"]), "right"), {
+    label: "Hand",
+    words: FOOT_WORDS,
+    only: ["write"],
+  }),
+  duration: about(v.optional(v.nullable(within(0, 600)), null), {
+    label: "Hold",
+    unit: "s",
+    only: TASK_CATEGORIES.filter((c) => c !== "turn"),
+  }),
 });
 
 const path = object({
@@ -64,9 +98,12 @@ const stone = object({
 const prop = object({
   id,
   kind: oneOf(PROP_KINDS),
-  position: point3,
-  yaw: v.optional(angle, 0),
-  size: v.optional(v.nullable(v.tuple([positive, positive, positive], "three numbers are needed")), null),
+  position,
+  yaw: facing,
+  size: about(
+    v.optional(v.nullable(v.tuple([positive, positive, positive], "three numbers are needed")), null),
+    { label: "Size", unit: "m", axes: ["w", "h", "d"] },
+  ),
 });
 
 const terrain = v.variant(
@@ -126,24 +163,36 @@ const edit = object({
   task: v.optional(v.nullable(id), null),
   step: v.pipe(within(0, 100000), v.integer("a whole number is needed")),
   foot: v.optional(v.nullable(oneOf(FEET)), null),
-  position: v.optional(v.nullable(point3), null),
-  yaw: v.optional(v.nullable(angle), null),
+  position: about(v.optional(v.nullable(point3), null), {
+    label: "Position",
+    unit: "m",
+    axes: ["x", "y", "z"],
+  }),
+  yaw: about(v.optional(v.nullable(angle), null), { label: "Facing", unit: "°" }),
   lift: v.optional(v.nullable(within(0, 3600)), null),
   land: v.optional(v.nullable(within(0, 3600)), null),
-  pinned: v.optional(v.boolean("true or false is needed"), false),
+  rest: about(v.optional(v.nullable(within(0.02, 3600)), null), { label: "On the floor", unit: "s" }),
+  pinned: about(v.optional(v.boolean("true or false is needed"), false), { label: "Pinned" }),
+  plant: about(v.optional(oneOf(PLANT_MODES), "auto"), {
+    label: "Plant",
+    words: { auto: "Auto", enforce: "Enforce", never: "Never" },
+  }),
 });
+
+const proportions = object({ leg: factor("Legs"), arm: factor("Arms"), torso: factor("Torso") });
+const character = object({
+  height: about(v.optional(within(1.2, 2.3), 1.75), { label: "Height", unit: "m", slider: [1.5, 2] }),
+  proportions: v.optional(proportions, {}),
+  model: v.optional(v.nullable(v.string("a text is needed")), null),
+});
+
+/** Schemas of the things that inspectors show. */
+export const THING_SCHEMAS = { task, prop, edit, character, proportions };
 
 const document = object({
   version: v.literal(1, "version 1 is needed"),
   seed: v.optional(v.pipe(within(0, 4294967295), v.integer("a whole number is needed")), 1),
-  character: v.optional(
-    object({
-      height: v.optional(within(1.2, 2.3), 1.75),
-      proportions: v.optional(object({ leg: factor, arm: factor, torso: factor }), {}),
-      model: v.optional(v.nullable(v.string("a text is needed")), null),
-    }),
-    {},
-  ),
+  character: v.optional(character, {}),
   start: v.optional(object({ position: v.optional(point2, [0, 0]), yaw: v.optional(angle, 0) }), {}),
   tasks: v.optional(list(task, 500), []),
   paths: v.optional(list(path, 100), []),

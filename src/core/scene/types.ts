@@ -83,6 +83,13 @@ export interface CrowdSpec {
   surfaces: { bounds: [number, number, number, number]; cost: number }[];
 }
 
+/**
+ * What is made of the plant that a footstep begins, from its landing to its foot's next lift: `auto` rolls heel and toe as the capture
+ * does, `enforce` holds both down all the time, `never` leaves the foot to the capture, unheld, and claims no contact.
+ */
+export const PLANT_MODES = ["auto", "enforce", "never"] as const;
+export type PlantMode = (typeof PLANT_MODES)[number];
+
 /** A planned footstep that the user changed; null fields are the planner's. */
 export interface FootstepEdit {
   /** Id of the task that the step leads to; null: `step` counts from the plan's first. */
@@ -96,8 +103,11 @@ export interface FootstepEdit {
   /** Seconds; land less lift is how long the foot is in the air. */
   lift: number | null;
   land: number | null;
+  /** Seconds that the foot rests, from its landing to its next lift. */
+  rest: number | null;
   /** Kept in place even where the plan about it moves away, up to 1.6 m. */
   pinned: boolean;
+  plant: PlantMode;
 }
 
 export interface Scene {

@@ -29,6 +29,8 @@ export interface Footstep {
   y: number;
   z: number;
   yaw: number;
+  /** Horizontal part (x, z) of the unit normal of the ground there; left out where it is level. */
+  normal?: readonly [number, number];
 }
 
 /** The motion of one foot to a footstep: eq. 1's tuple of [TaskLoco §4.1], frames of its clip. */

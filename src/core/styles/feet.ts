@@ -138,6 +138,42 @@ export function findPlants(track: FeetTrack): StylePlant[] {
   return plants.sort((a, b) => a.from - b.from || (a.foot < b.foot ? -1 : 1));
 }
 
+/** A heel between these pitches is neither on the ground nor clearly off it, radians: 3.5 and 15 mm at the heel point. */
+const HEEL_DOWN = (-1.2 * Math.PI) / 180;
+const HEEL_OFF = (-4.5 * Math.PI) / 180;
+/** A heel that is there for so many frames hovers: one that is lifted passes through in five. */
+const HEEL_HOVERS = 6;
+/** Where heels hover, those up by less than the first lie down; from the second on they are up as they were; radians. */
+const HEEL_LIES = (1 * Math.PI) / 180;
+const HEEL_UP = (5.5 * Math.PI) / 180;
+/** At its ends a plant keeps its pitch, frames: it has to meet the air's. */
+const HEEL_ENDS = 4;
+
+/**
+ * Puts hovering heels down: shorter strides, blends and stops raise the heel of a resting foot so slowly, or so little, that it
+ * would neither bear nor leave the ground. It stays down longer, then rises as others do. Not in the paper.
+ */
+export function settleHeels(track: FeetTrack, plants: readonly StylePlant[]): void {
+  for (const plant of plants) {
+    const side = plant.foot === "left" ? 0 : 1;
+    let longest = 0;
+    let run = 0;
+    for (let f = plant.from; f < plant.to; f++) {
+      const pitch = track.pitch[2 * f + side];
+      run = pitch < HEEL_DOWN && pitch > HEEL_OFF ? run + 1 : 0;
+      longest = Math.max(longest, run);
+    }
+    if (longest < HEEL_HOVERS) continue;
+    for (let f = plant.from; f < plant.to; f++) {
+      const i = 2 * f + side;
+      if (track.pitch[i] >= 0) continue;
+      const down = 1 - smoothstep((-track.pitch[i] - HEEL_LIES) / (HEEL_UP - HEEL_LIES));
+      const inside = smoothstep((f - plant.from + 1) / HEEL_ENDS) * smoothstep((plant.to - f) / HEEL_ENDS);
+      track.pitch[i] *= 1 - down * inside;
+    }
+  }
+}
+
 /**
  * Enforces plants: writes ankles, yaws, toe bends and contacts.
  *
@@ -262,7 +298,8 @@ function swing(
     for (let k = 0; k < 5; k++) {
       const a = before ? shift[5 * last + k] : 0;
       const b = after ? shift[5 * next + k] : 0;
-      const most = MOST_SPEED * (leg / 0.93) * (k < 3 ? 1 : 8);
+      // Bent toes spring back when they lift: what bent them on the ground does not go on in the air.
+      const most = k === 4 ? 0 : MOST_SPEED * (leg / 0.93) * (k === 3 ? 8 : 1);
       const m0 = before && before.to - before.from > 1 ? clamp(a - shift[5 * (last - 1) + k], most) : 0;
       const m1 = after && after.to - after.from > 1 ? clamp(shift[5 * (next + 1) + k] - b, most) : 0;
       const d = (1 - s) * a + s * b + h0 * m0 - h1 * m1;

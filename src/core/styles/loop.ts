@@ -2,27 +2,19 @@
  * A loop sequence: one style's sample cut so that it repeats without a seam [Express §5.2].
  */
 import type { Clip } from "../capture/clip.ts";
-import { solveLeg } from "../ik/leg.ts";
 import { smoothstep } from "../math/interpolate.ts";
 import {
-  quatFromAxisAngle,
   quatFromRotationVector,
-  quatFromYawPitchRoll,
   quatInverseMultiply,
   quatMultiply,
-  quatRotate,
   quatToRotationVector,
 } from "../math/quaternion.ts";
-import { plantedAnkle } from "../motion/sole.ts";
-import { J, JOINT_COUNT } from "../skeleton/joints.ts";
-import type { Skeleton } from "../skeleton/skeleton.ts";
 import { type ContactPhases, createPhaseMap, KEY_PHASES, type PhaseMap } from "./gait-phase.ts";
 import { detectPlants } from "./plants.ts";
 import {
   EFFECTOR_COUNT,
   EFFECTORS,
   LEG_STRIDE,
-  LEG_TILT,
   LEGS,
   meanRow,
   mixRows,
@@ -34,7 +26,7 @@ import {
   rowOf,
   scaleRow,
 } from "./rows.ts";
-import { type CutChoice, chooseCut, goodEnds, type Stride, stridesOf } from "./strides.ts";
+import { bestEnd, type CutChoice, chooseCut, stridesOf } from "./strides.ts";
 
 export interface LoopSequence {
   /** The style's name. */
@@ -82,23 +74,26 @@ export function cutLoop(clip: Clip, name: string, steps: number | null = null): 
       `${name}: a left, a right and a left foot-plant in a row are needed, found ${plants[0].length} left and ${plants[1].length} right.`,
     );
   const choice = chooseCut(clip, strides, steps === null ? null : Math.max(1, Math.round(steps / 2)));
-  // The best cut whose joint is no harder on the body than the sample itself; where none is, the softest.
-  const easy = EASY * hardestOf(clip.rotations, clip.frames);
-  let cut: Cut | null = null;
-  for (const candidate of choice.able) {
-    const own = strides.slice(candidate.first, candidate.first + candidate.strides);
-    for (const to of goodEnds(clip, own[0].from, own[own.length - 1])) {
-      if (cut && cut.strain <= easy) break;
-      const laid = layCut(clip, name, own, to);
-      if (cut && laid.strain >= cut.strain) continue;
-      cut = laid;
-      choice.chosen = candidate;
-    }
-  }
-  if (!cut) throw new StyleError(`${name}: no cut of the sample was found.`);
-  const { own, from, to, frames, line, rows, blended } = cut;
-  const end = own[own.length - 1].next;
-  const count = own.length;
+  const { first, strides: count } = choice.chosen;
+  const own = strides.slice(first, first + count);
+  const from = own[0].from;
+  const to = bestEnd(clip, from, own[count - 1]);
+  const frames = to - from;
+  const end = own[count - 1].next;
+  let blended = Math.min(own[0].left.to - 1 - from, end.to - 1 - to, frames >> 1, clip.frames - 1 - to);
+  blended = Math.max(2, blended - (blended % 2));
+  if (to + blended > clip.frames) blended = Math.max(0, clip.frames - to - ((clip.frames - to) % 2));
+  const line = referenceLine(clip, from, to, blended);
+  if (!(line.speed * clip.rate > 0.05))
+    throw new StyleError(
+      `${name}: the sample moves ${(line.speed * clip.rate).toFixed(2)} m/s, 0.05 are needed.`,
+    );
+  // The loop, and what follows it in the sample as far as it is blended into its beginning.
+  const sample = new Float64Array(ROW * (frames + blended));
+  for (let f = 0; f < frames + blended; f++) rowOf(sample, ROW * f, clip, from + f, line);
+  closeLoop(sample, frames, clip, from, line);
+  const rows = sample.slice(0, ROW * frames);
+  preBlend(rows, sample.subarray(ROW * frames), blended);
   const boundaries = own.map((s): [number, number, number, number] => [
     s.left.to - from,
     s.right.from - from,
@@ -127,144 +122,6 @@ export function cutLoop(clip: Clip, name: string, steps: number | null = null): 
     source: { from, to },
     choice,
   };
-}
-
-/** A loop as one cut of the sample gives it. */
-interface Cut {
-  own: readonly Stride[];
-  from: number;
-  to: number;
-  frames: number;
-  line: ReferenceLine;
-  rows: Float64Array;
-  blended: number;
-  /** How hard the joint is on the body, radians a frame squared. */
-  strain: number;
-}
-
-/** Lays the strides `own`, ending at frame `to`, as a loop. @throws StyleError where the sample stands still. */
-function layCut(clip: Clip, name: string, own: readonly Stride[], to: number): Cut {
-  const { from } = own[0];
-  const frames = to - from;
-  const end = own[own.length - 1].next;
-  let blended = Math.min(own[0].left.to - 1 - from, end.to - 1 - to, frames >> 1, clip.frames - 1 - to);
-  blended = Math.max(2, blended - (blended % 2));
-  if (to + blended > clip.frames) blended = Math.max(0, clip.frames - to - ((clip.frames - to) % 2));
-  const line = referenceLine(clip, from, to, blended);
-  if (!(line.speed * clip.rate > 0.05))
-    throw new StyleError(
-      `${name}: the sample moves ${(line.speed * clip.rate).toFixed(2)} m/s, 0.05 are needed.`,
-    );
-  // The loop, and what follows it in the sample as far as it is blended into its beginning.
-  const sample = new Float64Array(ROW * (frames + blended));
-  for (let f = 0; f < frames + blended; f++) rowOf(sample, ROW * f, clip, from + f, line);
-  closeLoop(sample, frames, clip, from, line);
-  const rows = sample.slice(0, ROW * frames);
-  preBlend(rows, sample.subarray(ROW * frames), blended);
-  return {
-    own,
-    from,
-    to,
-    frames,
-    line,
-    rows,
-    blended,
-    strain: strainOf(rows, frames, blended, clip.skeleton),
-  };
-}
-
-/** Frames either side of the joint in which it is looked for, and between three poses that tell an acceleration. */
-const ABOUT = 8;
-const STEP = 2;
-/** Share of the sample's own hardest moment up to which a joint is as good as the sample: a hundredth is what a row loses of a pose. */
-const EASY = 1.01;
-/** Joints of a row's pose: all, toes last in their legs. */
-const POSE = 4 * JOINT_COUNT;
-
-/** How hard a loop's joint is on the body: `hardestOf` the poses about it. */
-function strainOf(rows: Float64Array, frames: number, blended: number, skeleton: Skeleton): number {
-  const first = -ABOUT - STEP;
-  const count = 2 * ABOUT + Math.max(0, blended - ABOUT) + 2 * STEP + 1;
-  const poses = new Float64Array(POSE * count);
-  for (let f = 0; f < count; f++)
-    poseOfRow(poses, POSE * f, rows, ROW * ((((first + f) % frames) + frames) % frames), skeleton);
-  return hardestOf(poses, count);
-}
-
-/**
- * Largest angular acceleration of any joint, radians a frame squared, over two frames at a time as 30 Hz would show.
- *
- * @param poses local rotations, frames x JOINT_COUNT x 4.
- */
-function hardestOf(poses: Float64Array, frames: number): number {
-  const q = new Float64Array(4);
-  const before = new Float64Array(3);
-  const after = new Float64Array(3);
-  let most = 0;
-  for (let f = STEP; f + STEP < frames; f++) {
-    for (let j = 0; j < POSE; j += 4) {
-      const at = POSE * f + j;
-      quatInverseMultiply(q, 0, poses, at - STEP * POSE, poses, at);
-      quatToRotationVector(before, 0, q, 0);
-      quatInverseMultiply(q, 0, poses, at, poses, at + STEP * POSE);
-      quatToRotationVector(after, 0, q, 0);
-      most = Math.max(most, Math.hypot(after[0] - before[0], after[1] - before[1], after[2] - before[2]));
-    }
-  }
-  return most / STEP ** 2;
-}
-
-const place = new Float64Array(3 * JOINT_COUNT);
-const world = new Float64Array(POSE);
-const pose = new Float64Array(POSE);
-const ankle = new Float64Array(3);
-const tilt = new Float64Array(4);
-
-/** The pose of a row, legs closed on their feet: local rotations at out[o]. */
-function poseOfRow(out: Float64Array, o: number, rows: Float64Array, row: number, skeleton: Skeleton): void {
-  for (let k = 0; k < 4 * QUAT_COUNT; k++) out[o + k] = rows[row + QUATS + k];
-  for (let k = 0; k < 4; k++) world[k] = rows[row + QUATS + k];
-  const { offsets } = skeleton;
-  for (let side = 0; side < 2; side++) {
-    const upper = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
-    const foot = upper + 2;
-    const l = row + LEGS + LEG_STRIDE * side;
-    quatRotate(
-      place,
-      3 * upper,
-      world,
-      0,
-      offsets[3 * upper],
-      offsets[3 * upper + 1],
-      offsets[3 * upper + 2],
-    );
-    place[3 * upper] += rows[row + ROOT + 1];
-    place[3 * upper + 1] += rows[row + ROOT + 2];
-    place[3 * upper + 2] += rows[row + ROOT];
-    const yaw = rows[l + 3];
-    const pitch = rows[l + 4];
-    plantedAnkle(ankle, skeleton.foot, Math.max(-1.5, Math.min(0.8, pitch)));
-    solveLeg(
-      pose,
-      place,
-      world,
-      J.hips,
-      upper,
-      offsets,
-      rows[l] + Math.sin(yaw) * ankle[0],
-      rows[l + 1] + ankle[1],
-      rows[l + 2] + Math.cos(yaw) * ankle[0],
-      rows[l + 6],
-      rows[l + 7],
-      rows[l + 8],
-    );
-    quatFromYawPitchRoll(world, 4 * foot, yaw, -pitch, 0);
-    quatFromRotationVector(tilt, 0, rows[l + LEG_TILT], rows[l + LEG_TILT + 1], rows[l + LEG_TILT + 2]);
-    quatMultiply(world, 4 * foot, world, 4 * foot, tilt, 0);
-    quatInverseMultiply(pose, 4 * foot, world, 4 * (upper + 1), world, 4 * foot);
-    quatFromAxisAngle(pose, 4 * (foot + 1), 1, 0, 0, -rows[l + 5]);
-    for (let k = 4 * upper; k < 4 * (upper + 4); k++) out[o + k] = pose[k];
-  }
 }
 
 /**

@@ -6,6 +6,7 @@
  * the row is laid on a path; all else is kept as it was captured. Metres, radians, quaternions xyzw.
  */
 import type { Clip } from "../capture/clip.ts";
+import { smoothstep } from "../math/interpolate.ts";
 import {
   quatCopy,
   quatFromYawPitchRoll,
@@ -96,18 +97,19 @@ export function rowOf(out: Float64Array, o: number, clip: Clip, frame: number, l
     out[l + 3] = Math.atan2(Math.sin(turned), Math.cos(turned));
     out[l + 4] = steep;
     out[l + 5] = toeBendOf(clip.rotations, 4 * (JOINT_COUNT * frame + foot + 1));
-    // Where the knee points: out of the line from hip to ankle, near straight with the foot.
+    // Where the knee points: out of the line from hip to ankle; near straight, where that line says little, ahead of the thigh.
     const h = 3 * upper;
     const k = h + 3;
     let kx = place[k] - (place[h] + place[f]) / 2;
     let ky = place[k + 1] - (place[h + 1] + place[f + 1]) / 2;
     let kz = place[k + 2] - (place[h + 2] + place[f + 2]) / 2;
     const out3 = Math.sqrt(kx * kx + ky * ky + kz * kz);
-    const trust = Math.min(1, out3 / (0.05 * skeleton.legLength));
+    const trust = smoothstep(out3 / (0.05 * skeleton.legLength));
     const g = out3 > 1e-9 ? trust / out3 : 0;
-    kx = kx * g + (1 - trust) * Math.sin(yaw);
-    ky = ky * g;
-    kz = kz * g + (1 - trust) * Math.cos(yaw);
+    quatRotate(v, 0, world, 4 * upper, 0, 0, 1);
+    kx = kx * g + (1 - trust) * v[0];
+    ky = ky * g + (1 - trust) * v[1];
+    kz = kz * g + (1 - trust) * v[2];
     out[l + 6] = c * kx - s * kz;
     out[l + 7] = ky;
     out[l + 8] = s * kx + c * kz;

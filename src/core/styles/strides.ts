@@ -32,8 +32,6 @@ const NEAR_BEST = 1.3;
 const NOTHING_REPEATS = 0.13;
 /** How much the strides' durations and lengths may differ, shares. */
 const KEEPS_TIMING = 0.25;
-/** Cuts within this factor of the best are as good. */
-const AS_GOOD = 1.3;
 /** Strides slower than this share of the usual speed are starts and stops. */
 const STEADY = 0.85;
 
@@ -99,8 +97,6 @@ export interface CutCandidate {
 export interface CutChoice {
   candidates: CutCandidate[];
   limit: number;
-  /** Cuts that are as good as the best, that first: the joint decides among them. */
-  able: CutCandidate[];
   chosen: CutCandidate;
 }
 
@@ -112,7 +108,7 @@ export interface CutChoice {
  * the plants' boundaries, in the places of head, hands and feet about the hips. The loop keeps the style when the RMS
  * distance is at most 4.2 cm (legs of 0.93 m) or within 30 % of the least that any number of strides reaches (more
  * strides would not tell more), and durations and lengths differ by 25 % at most. The fewest strides that do are taken,
- * among those the cuts whose sum of loss and seam is the smallest or nearly so. A sample that never repeats itself (13 cm and more) becomes
+ * among those the cut with the smallest sum of loss and seam. A sample that never repeats itself (13 cm and more) becomes
  * one loop as a whole.
  *
  * @param strides at least one; only runs of strides that follow each other can be a loop.
@@ -163,11 +159,10 @@ export function chooseCut(clip: Clip, strides: readonly Stride[], fixed: number 
     allowed.length > 0
       ? Math.min(...pool.map((c) => c.strides))
       : Math.max(...pool.map((c) => c.strides).filter((m) => fixed === null || m <= fixed));
-  const able = pool
+  const chosen = pool
     .filter((c) => c.strides === fewest)
-    .sort((a, b) => a.loss + a.seam - (b.loss + b.seam) || a.first - b.first);
-  const enough = AS_GOOD * (able[0].loss + able[0].seam);
-  return { candidates, limit, able: able.filter((c) => c.loss + c.seam <= enough), chosen: able[0] };
+    .reduce((a, b) => (b.loss + b.seam < a.loss + a.seam ? b : a));
+  return { candidates, limit, chosen };
 }
 
 const place = new Float64Array(3 * JOINT_COUNT);
@@ -237,13 +232,10 @@ function seamOf(clip: Clip, first: Stride, last: Stride): number {
 }
 
 /**
- * Frames of a loop's last plant at which it may end, those whose pose and speed are nearest to the loop's first frame: "any frame
- * within a foot-plant" may end a loop [Express §5.2]; the middle one is where the search begins, a quarter of the plant either
- * way.
- *
- * @returns at least one; those that miss by at most twice as much as the nearest one, the nearest first.
+ * The frame of a loop's last plant whose pose is nearest to that of the loop's first frame: "any frame within a foot-plant"
+ * may end a loop [Express §5.2]; the middle one is where the search begins, a quarter of the plant either way.
  */
-export function goodEnds(clip: Clip, from: number, last: Stride): number[] {
+export function bestEnd(clip: Clip, from: number, last: Stride): number {
   const row = 3 * EFFECTOR_COUNT;
   const poses = new Float64Array(4 * row);
   const yaw = headingOf(clip, from, last.to);
@@ -253,7 +245,8 @@ export function goodEnds(clip: Clip, from: number, last: Stride): number[] {
     effectorsAt(poses, o + row, clip, Math.min(clip.frames - 1, f + 1), yaw);
   };
   pair(0, from);
-  const ends: { frame: number; miss: number }[] = [];
+  let best = last.to;
+  let least = Number.POSITIVE_INFINITY;
   for (let f = last.to - reach; f <= last.to + reach; f++) {
     if (f >= clip.frames - 2 || f <= last.next.from || f >= last.next.to - 1) continue;
     pair(2 * row, f);
@@ -263,9 +256,10 @@ export function goodEnds(clip: Clip, from: number, last: Stride): number[] {
       const pace = poses[3 * row + k] - poses[2 * row + k] - (poses[row + k] - poses[k]);
       s += gap * gap + 9 * pace * pace;
     }
-    ends.push({ frame: f, miss: Math.sqrt(s) });
+    if (s < least) {
+      least = s;
+      best = f;
+    }
   }
-  if (ends.length === 0) return [last.to];
-  ends.sort((a, b) => a.miss - b.miss || a.frame - b.frame);
-  return ends.filter((e) => e.miss <= 2 * ends[0].miss).map((e) => e.frame);
+  return best;
 }

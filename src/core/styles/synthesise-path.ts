@@ -18,7 +18,15 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { ContactTrack } from "../steps/types.ts";
 import { balanceOnPath } from "./balance.ts";
 import { MEMBER_ROW, readFamily, type StrideFamily } from "./family.ts";
-import { constrainFeet, createFeetTrack, findPlants, freeFeet, growPlants, type StylePlant } from "./feet.ts";
+import {
+  constrainFeet,
+  createFeetTrack,
+  findPlants,
+  freeFeet,
+  growPlants,
+  type StylePlant,
+  settleHeels,
+} from "./feet.ts";
 import { easeKnees } from "./knees.ts";
 import { leanAlong } from "./lean.ts";
 import type { LoopSequence } from "./loop.ts";
@@ -98,6 +106,7 @@ export function synthesisePath(
   const laid = clip.root.slice();
   const plants = findPlants(feet);
   if (o.feet) {
+    settleHeels(feet, plants);
     constrainFeet(feet, plants, skeleton.foot, skeleton.legLength);
     if (growPlants(feet, plants)) constrainFeet(feet, plants, skeleton.foot, skeleton.legLength);
   } else freeFeet(feet, skeleton.foot);

@@ -1,5 +1,5 @@
 /**
- * Planned footsteps that the user moved, turned, pinned or re-timed (`edits` of the scene document): laid over a finished
+ * Planned footsteps that the user moved, turned, pinned or re-timed, or whose plants they hold or let go (`edits` of the scene document): laid over a finished
  * plan, and the footsteps about them answered for by the same objective that placed them [TaskLoco §5, eqs. 11-16].
  *
  * An edited footstep is held where it was put; two before and two after it are optimised again with the edited ones and
@@ -17,7 +17,7 @@ import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { Foot, Footstep } from "../steps/types.ts";
 import { type Feet, footPose, otherFoot } from "./draft.ts";
 import { pivotEnd } from "./pivots.ts";
-import type { Plan, PlannedStep } from "./plan-types.ts";
+import type { Plan, PlannedSegment, PlannedStep } from "./plan-types.ts";
 import { TIDY } from "./tidy.ts";
 
 /** Footsteps optimised again on either side of an edited one. */
@@ -113,6 +113,7 @@ export function applyEdits(
     }
     if (i < fixed) return;
     const s = steps[i];
+    if (edit.plant !== "auto") s.plant = edit.plant;
     if (edit.foot !== null && edit.foot !== s.foot) {
       plan.warnings.push(
         `edits[${n}].foot: this step belongs to a template, so its foot stays. Steps of the way between can be swapped.`,
@@ -148,6 +149,10 @@ export function applyEdits(
   for (const edit of edits) {
     const i = stepOfEdit(edit, steps, ids);
     if (i >= fixed && edit.lift !== null && edit.land !== null) retime(plan, i, edit.land - edit.lift);
+  }
+  for (const edit of edits) {
+    const i = stepOfEdit(edit, steps, ids);
+    if (i >= fixed && edit.rest !== null) holdFor(plan, i, edit.rest);
   }
 }
 
@@ -325,7 +330,39 @@ function retime(plan: Plan, index: number, wanted: number): void {
   const step = plan.steps[index];
   const now = step.land - step.lift;
   if (!segment || now <= 0) return;
-  const factor = Math.max(STRETCH[0], Math.min(STRETCH[1], wanted / now));
+  stretchSegment(plan, segment, wanted / now);
+}
+
+/** Seconds that a foot rests after step `index`, until it lifts again; null for its last plant. */
+export function restOf(steps: readonly PlannedStep[], index: number): number | null {
+  const { land, foot } = steps[index];
+  const lift = steps.find((s, i) => i > index && s.foot === foot)?.lift;
+  return lift === undefined ? null : lift - land;
+}
+
+/**
+ * Makes the plant that step `index` begins last `wanted` seconds: what happens while the foot rests takes that long, a task's hold where
+ * there is one, else the other foot's steps. The last plant of a foot has no end to move.
+ */
+function holdFor(plan: Plan, index: number, wanted: number): void {
+  const { land } = plan.steps[index];
+  const rest = restOf(plan.steps, index);
+  if (rest === null) return;
+  const lift = land + rest;
+  const within = plan.segments.filter(
+    (s) => s.start / CLIP_RATE >= land - 1e-9 && (s.start + s.frames) / CLIP_RATE <= lift + 1e-9,
+  );
+  const holds = within.filter((s) => s.step < 0);
+  const taken = holds.length > 0 ? holds : within;
+  const now = taken.reduce((sum, s) => sum + s.frames, 0) / CLIP_RATE;
+  if (now <= 0) return;
+  const factor = (now + wanted - rest) / now;
+  for (const s of taken) stretchSegment(plan, s, factor);
+}
+
+/** One segment takes `factor` times as long, within limits; everything in it and after it moves along. */
+function stretchSegment(plan: Plan, segment: PlannedSegment, wanted: number): void {
+  const factor = Math.max(STRETCH[0], Math.min(STRETCH[1], wanted));
   const frames = Math.max(2, Math.round(segment.frames * factor));
   const by = frames - segment.frames;
   if (by === 0) return;

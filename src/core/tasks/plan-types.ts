@@ -1,5 +1,6 @@
 /** What the task planner gives to the motion stage, the view and the plots. Plain data. */
 import type { BlendStory } from "../blending/types.ts";
+import type { PlantMode } from "../scene/types.ts";
 import type { Foot, Footstep, Phase, StepCategory } from "../steps/types.ts";
 
 /** A planned step: the footstep, the motion segment it is made of, its times. */
@@ -16,6 +17,8 @@ export interface PlannedStep extends Footstep {
   /** Seconds. */
   lift: number;
   land: number;
+  /** What the user asks of the plant that it begins; left out: as the capture has it. */
+  plant?: Exclude<PlantMode, "auto">;
 }
 
 export interface PlannedTask {

@@ -329,7 +329,7 @@ function chooseEntry(
     // Where none of the nearest begins as the body stands, those that do lie farther in the metric.
     if ((result.list[0]?.distance ?? 0) > FAR_OFF) result = rank(4 * COMPETITORS);
     if (!result.winner) return null;
-    const made = entryFrom(library, result.winner, task);
+    const made = entryFrom(context, result.winner, task);
     const route = findRoute(here, made.aim, context.obstacles, CLEARANCE);
     if (route.blocked && round === 1)
       context.plan.warnings.push(
@@ -350,9 +350,21 @@ function chooseEntry(
   return entry;
 }
 
-/** A template laid at its task, still without a way there. */
-function entryFrom(library: Library, template: Template, task: TaskGoal): Entry {
-  const laid = layInTaskFrame(library, template, task.frame);
+/**
+ * A template laid at its task, still without a way there. Where the stance at the task is in other furniture, all of it is moved
+ * as a whole: the walk ends elsewhere, and the entry's own steps stay as the capture has them.
+ */
+function entryFrom(context: Context, template: Template, task: TaskGoal): Entry {
+  const laid = layInTaskFrame(context.library, template, task.frame);
+  const last: Feet = { ...laid.stance };
+  for (const s of laid.steps) last[s.foot] = s;
+  const [dx, dz] = wayOut(context.skeleton, [last.left, last.right], context.obstacles);
+  if (dx !== 0 || dz !== 0) {
+    const moved = <T extends GroundPose>(p: T): T => ({ ...p, x: p.x + dx, z: p.z + dz });
+    laid.stance = { left: moved(laid.stance.left), right: moved(laid.stance.right) };
+    laid.before = laid.before.map(moved);
+    laid.steps = laid.steps.map(moved);
+  }
   const stanceFoot = laid.steps[0] ? otherFoot(laid.steps[0].foot) : "left";
   return { template, ...laid, stanceFoot, aim: laid.stance[stanceFoot], route: [], task };
 }
@@ -577,14 +589,7 @@ function shareOut(steps: DraftStep[], aim: GroundPose): void {
 function planEntry(context: Context, entry: Entry, index: number): void {
   const n = entry.steps.length;
   if (n === 0) return;
-  // Where the stance at the task is in other furniture it is moved as a whole, step by step.
-  const last: Feet = { ...entry.stance };
-  for (const s of entry.steps) last[s.foot] = s;
-  const [dx, dz] = wayOut(context.skeleton, [last.left, last.right], context.obstacles);
-  const laid = entry.steps.map((s, i) => {
-    const f = (i + 1) / n;
-    return dx === 0 && dz === 0 ? s : { ...s, x: s.x + f * dx, z: s.z + f * dz };
-  });
+  const laid = entry.steps;
   const chained = chainFrom(context.library, entry.template, context.feet);
   // How far the feet are turned against the template's own stance is shared over its steps, so that it ends facing as it
   // did: Table 2 gives the enter phase no orientation term that would see to it.

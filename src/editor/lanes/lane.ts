@@ -18,6 +18,8 @@ export interface Lane {
   /** Place from the top: tasks 10, path styles 20, feet 30, labels 40. */
   order: number;
   shown(e: Editor): boolean;
+  /** Left out where the timeline has no room for every lane. */
+  spare?: boolean;
   /** Height it would like, pixels; lanes share what there is. */
   height(e: Editor): number;
   /** SVG markup, its own top at y = 0; the first 58 pixels are for its name. */

@@ -169,6 +169,7 @@ function dragChange(e: Editor, change: Stretch, target: Element, frame: LaneFram
 }
 
 const lane = (id: string, order: number, height: number, draw: Lane["draw"]): Lane => ({
+  spare: true,
   id,
   order,
   shown,

@@ -12,7 +12,7 @@ export function characterLayer(e: Editor): ViewportLayer {
     update(_, what) {
       if (what === "plan") return;
       const { scene, selection } = e.store.getState();
-      e.stage.setScene(scene, idsOf(selection, "task"));
+      e.stage.setScene(scene, idsOf(selection, "task"), idsOf(e.markers.dragged, "task"));
       this.time?.(e, e.store.getState().time);
     },
     time(_, seconds) {

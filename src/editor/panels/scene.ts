@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../editor.ts";
 import { openSceneMenu } from "../parts/scene-menu.ts";
+import { type RowsOf, schemaRows } from "../parts/schema-rows.ts";
 import { sole } from "../parts/sole.ts";
 import { hasRef } from "../selection.ts";
 import type { ThingKind } from "../things/thing.ts";
@@ -50,27 +51,25 @@ function emptyState(e: Editor): TemplateResult {
   </section>`;
 }
 
-/** Height and legs; one entry of the history a slide. */
-function setBuild(e: Editor, height: number, leg: number, done: boolean): void {
-  e.scene.beginGesture();
-  e.edit((scene, c) => c.setCharacter(scene, height, leg));
-  if (done) e.scene.endGesture(true);
-}
-
+/** The character's build: one entry of the history a slide. */
 function character(e: Editor): TemplateResult {
-  const { height, proportions } = e.store.getState().scene.character;
-  const slider = (
-    label: string,
-    min: number,
-    max: number,
-    value: number,
-    set: (v: number, done: boolean) => void,
-  ) =>
-    html`<label class="row">${label} <input type="range" min=${min} max=${max} step="0.01" .value=${String(value)} @input=${(ev: Event) => set(Number((ev.target as HTMLInputElement).value), false)} @change=${(ev: Event) => set(Number((ev.target as HTMLInputElement).value), true)} /></label>`;
+  const { character: now } = e.store.getState().scene;
+  const set =
+    (part: "character" | "proportions"): RowsOf["set"] =>
+    (key, value, done) => {
+      e.scene.beginGesture();
+      e.edit((scene, c) =>
+        c.changeBuild(
+          scene,
+          part === "character" ? { [key]: value } : { proportions: { ...now.proportions, [key]: value } },
+        ),
+      );
+      if (done) e.scene.endGesture(true);
+    };
   return html`<section class="section">
-    <header><h3>Character</h3><span>${height.toFixed(2)} m</span></header>
-    ${slider("Height", 1.5, 2, height, (v, done) => setBuild(e, v, proportions.leg, done))}
-    ${slider("Legs", 0.85, 1.15, proportions.leg, (v, done) => setBuild(e, height, v, done))}
+    <header><h3>Character</h3><span>${now.height.toFixed(2)} m</span></header>
+    ${schemaRows(e, "character", { values: { ...now }, set: set("character") })}
+    ${schemaRows(e, "proportions", { values: { ...now.proportions }, set: set("proportions") })}
     <p class="note">Each build has templates of its own: a taller character side-steps where a shorter one turns.</p>
   </section>`;
 }

@@ -1,11 +1,8 @@
 /** A small sole with its category's colour and mark: what lies on the floor, in legends and lists. */
 import { html, type SVGTemplateResult, svg, type TemplateResult } from "lit";
 import type { Foot, StepCategory } from "../../core/steps/types.ts";
+import { FOREFOOT, HEEL } from "../../view/sole-outline.ts";
 import { CATEGORY_COLOURS } from "../../view/tokens.ts";
-
-/** Millimetres about the ankle, toes up; the right foot. As `view/footprints.ts` draws it. */
-const FOREFOOT = "M-34-45C-40-90-50-110-50-142C-50-192-12-214 6-210C40-200 46-150 43-115C41-90 34-70 33-45Z";
-const HEEL = "M-33-22H33C37 30 25 60 0 62C-25 60-37 30-33-22Z";
 
 /** The second cue of each category, drawn on the forefoot about (0, -128). */
 const MARKS: Record<StepCategory, SVGTemplateResult | null> = {

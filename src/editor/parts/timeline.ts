@@ -43,14 +43,21 @@ interface Placed {
   frame: LaneFrame;
 }
 
+/** Least part of its height that a lane can be drawn in. */
+const LEAST = 0.6;
+
 /** The lanes with their places: what they wish for, less an even share of what is missing. */
 export function placedLanes(e: Editor): Placed[] {
   const { width, height } = e.tracksSize;
   const scale = stripScale(e.plan.duration, width);
-  const lanes = e.registry.lanes.filter((l) => l.shown(e));
+  const shown = e.registry.lanes.filter((l) => l.shown(e));
+  const total = (list: readonly Lane[]): number => list.reduce((sum, l) => sum + l.height(e), 0);
+  const room = height - RULER;
+  // Lanes at half their height run into each other: what explains goes before what is edited.
+  const lanes = total(shown) * LEAST > room ? shown.filter((l) => !l.spare) : shown;
   const wished = lanes.map((l) => l.height(e));
-  const all = wished.reduce((a, b) => a + b, 0);
-  const share = Math.min(1, Math.max(0.5, (height - RULER) / Math.max(1, all)));
+  const all = total(lanes);
+  const share = Math.min(1, Math.max(0.5, room / Math.max(1, all)));
   let top = RULER;
   return lanes.map((lane, i) => {
     const frame: LaneFrame = {

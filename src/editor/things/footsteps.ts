@@ -1,6 +1,6 @@
 /** Planned footsteps as things: moved, turned, pinned, swapped; Delete gives them back to the planner. */
 import { editFootstep, releaseFootsteps } from "../../core/scene/commands.ts";
-import type { FootstepEdit, Scene } from "../../core/scene/types.ts";
+import { type FootstepEdit, PLANT_MODES, type PlantMode, type Scene } from "../../core/scene/types.ts";
 import { otherFoot } from "../../core/tasks/draft.ts";
 import { nameOfStep, stepOfEdit } from "../../core/tasks/edits.ts";
 import type { Plan, PlannedStep } from "../../core/tasks/plan-types.ts";
@@ -61,6 +61,26 @@ export function togglePins(e: Editor): void {
   const pin = !list.every((s) => editOf(scene, s.ref)?.pinned);
   for (const { ref: r, step } of list)
     changeStep(e, r, { pinned: pin, ...(pin ? { position: [step.x, step.y, step.z], yaw: step.yaw } : {}) });
+}
+
+/** What is made of the plants that the selected footsteps begin, one entry of the history. */
+export function setPlants(e: Editor, plant: PlantMode): void {
+  const list = selectedSteps(e);
+  const done = e.edit((scene) =>
+    list.reduce((s, { ref: r }) => editFootstep(s, taskOf(r), r.index, { plant }), scene),
+  );
+  if (done) e.announce(`Plant: ${PLANT_WORDS[plant].toLowerCase()}.`);
+}
+
+export const PLANT_WORDS: Record<PlantMode, string> = { auto: "Auto", enforce: "Enforce", never: "Never" };
+
+/** The next of auto, enforced, never, for all selected footsteps. */
+export function cyclePlants(e: Editor): void {
+  const { scene } = e.store.getState();
+  const first = selectedSteps(e)[0];
+  if (!first) return;
+  const now = editOf(scene, first.ref)?.plant ?? "auto";
+  setPlants(e, PLANT_MODES[(PLANT_MODES.indexOf(now) + 1) % PLANT_MODES.length]);
 }
 
 /** Selects the footstep after the selected one, or before it; the one stood on when none is selected. */

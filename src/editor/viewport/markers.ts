@@ -38,6 +38,11 @@ export class Markers {
     readonly overlay: HTMLElement,
   ) {}
 
+  /** What is being dragged. */
+  get dragged(): readonly Ref[] {
+    return this.dragging?.along.map((t) => t.ref) ?? [];
+  }
+
   /** Draws the handles where their things are on screen. */
   draw(): void {
     const { selection } = this.e.store.getState();
@@ -177,8 +182,10 @@ export class Markers {
   private gesture(d: Drag, origin: [number, number], height: number): Gesture {
     const { e } = this;
     const [x, , z] = d.from.position;
+    e.layers.update("selection");
     const stop = (): undefined => {
       this.dragging = null;
+      e.layers.update("selection");
     };
     return {
       move: (p) => {
