@@ -106,12 +106,9 @@ export interface Batch {
   /** Triangle last hit, one a foot. */
   triangle: Int32Array;
   offset: Float64Array;
-<<<<<<< HEAD
   /** How far each torso is turned over the feet, the shoulders' yaw less the root's, radians: set by who turns sideways in a gap. */
   upperYaw: Float64Array;
-=======
   balance: Float64Array;
->>>>>>> main
   /** Hips' world places, count x 3. */
   root: Float32Array;
   /** Local rotations xyzw, count x JOINT_COUNT x 4. */
@@ -164,11 +161,8 @@ export function createBatch(
     mixWeights: new Float64Array(3 * MIX * capacity),
     triangle: new Int32Array(2 * capacity),
     offset: new Float64Array(OFFSET * capacity),
-<<<<<<< HEAD
     upperYaw: new Float64Array(capacity),
-=======
     balance: new Float64Array(BALANCE * capacity),
->>>>>>> main
     root: new Float32Array(3 * capacity),
     rotations: new Float32Array(POSE * capacity),
     matrices: new Float32Array(o.matrices ? 16 * JOINT_COUNT * capacity : 0),
