@@ -2,6 +2,8 @@
 import { describe, expect, it } from "vitest";
 import { changeCrowd, createCrowdMotion, moveCrowd } from "../../src/core/crowd/motion.ts";
 import { createSession, runSession } from "../../src/core/crowd/session.ts";
+import { J } from "../../src/core/skeleton/joints.ts";
+import { holdToLimits } from "../../src/core/skeleton/limits.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { studioBlendLibrary } from "../../src/studio/blend-library.ts";
 import { footstepErrors } from "../support/crowd-feet.ts";
@@ -28,6 +30,30 @@ describe("a crowd in motion", () => {
     expect(errors.exact).toBe(1);
     expect(errors.position).toBeLessThan(0.001);
     expect(errors.yaw).toBeLessThan(0.5 * (Math.PI / 180));
+  });
+
+  it("turns its shoulders where a gap is narrower than they are, with its joints in their ranges and its feet met", () => {
+    // As wide as its shoulders: not enough for one who sways.
+    const w = worldOf([walker(0.125, 0, 0.125, 8)], [wall(-10, -0.175, 3, 3.3), wall(0.425, 10, 3, 3.3)]);
+    const m = createCrowdMotion(w, library);
+    let widest = 0;
+    let fastest = 0;
+    let before = 0;
+    for (let f = 0; f < 60 * 12; f++) {
+      moveCrowd(m, f / 60);
+      const turned = m.body.upperYaw[0];
+      widest = Math.max(widest, Math.abs(turned));
+      if (m.session.gone[0] > f / 60) fastest = Math.max(fastest, Math.abs(turned - before) * 60);
+      before = turned;
+      const pose = Float64Array.from(m.body.rotations.subarray(0, 88));
+      for (const j of [J.spine, J.chest, J.upperChest, J.neck, J.head])
+        expect(holdToLimits(pose, 4 * j, j), `frame ${f}, joint ${j}`).toBeLessThan(0.01);
+    }
+    expect(m.session.gone[0]).toBeLessThan(12);
+    expect(widest).toBeGreaterThan(1);
+    expect(fastest).toBeLessThan(6);
+    const errors = footstepErrors(createCrowdMotion(w, library), skeleton, 8);
+    expect(errors.exact).toBe(1);
   });
 
   it("reacts to a wall that comes while it walks, and goes on from where it is", () => {

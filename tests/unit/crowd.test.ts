@@ -4,6 +4,7 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { arcTangent, cosine, sine } from "../../src/core/crowd/elementary.ts";
 import { crowdOfScene } from "../../src/core/crowd/from-scene.ts";
+import { obstacleGap } from "../../src/core/crowd/ground.ts";
 import { createFootstep, createStop, evaluateStep } from "../../src/core/crowd/locomotion.ts";
 import { simulateCrowd } from "../../src/core/crowd/simulate.ts";
 import { P, S, STATE, STEP } from "../../src/core/crowd/state.ts";
@@ -153,6 +154,48 @@ describe("SteerSuite cases", () => {
     );
     expect(w.agents[0]).toMatchObject({ x: 0, z: 1, dirX: 1, goals: [{ x: 9, z: 1, speed: 1.3 }] });
     expect(w.obstacles[0]).toMatchObject({ x: 2, z: -0.5, halfX: 1, halfZ: 0.5 });
+  });
+
+  it("are read: walls with a door, which people go through; polygons, which they go round", () => {
+    const at = (tag: string, x: number, z: number): string =>
+      `<${tag}><x>${x}</x><y>0</y><z>${z}</z></${tag}>`;
+    const door = `<orientedWallObstacle><thetaY>90</thetaY><size><x>8</x><y>2</y><z>0.2</z></size>${at("position", 3, 0)}<doorway><value>0.75</value><doorRadius>0.5</doorRadius></doorway></orientedWallObstacle>`;
+    const w = readSteerCase(text(door + agent), "c.xml");
+    expect(w.repairs).toEqual([]);
+    // Three quarters along a wall that is turned by 90 degrees, its x towards -z.
+    expect(w.obstacles.map((o) => o.halfX)).toEqual([2.75, 0.75]);
+    expect(obstacleGap(w.obstacles[0], 3, -2)).toBeCloseTo(0.5, 9);
+    expect(obstacleGap(w.obstacles[1], 3, -2)).toBeCloseTo(0.5, 9);
+    const track = simulateCrowd(w, 60);
+    expect(track.arrived).toBe(1);
+    expect(overlaps(track, w).walls).toBe(0);
+
+    // An L: its notch is free, its inside is not.
+    const corners = [
+      [2, -3],
+      [6, -3],
+      [6, 4],
+      [5, 4],
+      [5, 0],
+      [2, 0],
+    ];
+    const polygon = `<polygonObstacle>${corners.map(([x, z]) => at("vertex", x, z)).join("")}</polygonObstacle>`;
+    const l = readSteerCase(text(polygon + agent), "c.xml");
+    expect(Math.min(...l.obstacles.map((o) => obstacleGap(o, 3, 2)))).toBeCloseTo(2, 9);
+    expect(Math.min(...l.obstacles.map((o) => obstacleGap(o, 4, -1.5)))).toBe(0);
+    const round = simulateCrowd(l, 60);
+    expect(round.arrived).toBe(1);
+    expect(overlaps(round, l).walls).toBe(0);
+    expect(() => readSteerCase(text("<polygonObstacle></polygonObstacle>"), "c.xml")).toThrow("two <vertex>");
+  });
+
+  it("say what they put right: starts that overlap, goals inside walls", () => {
+    const block = `<obstacle><xmin>6</xmin><xmax>12</xmax><ymin>0</ymin><ymax>1</ymax><zmin>-2</zmin><zmax>4</zmax></obstacle>`;
+    const w = readSteerCase(text(block + agent + agent), "c.xml");
+    expect(w.repairs[0]).toBe("c.xml: agents 1 and 2 overlap at the start; they part first.");
+    expect(w.repairs[1]).toContain("goal 1 of agent 1 is inside a wall; it is taken to the nearest room");
+    const track = simulateCrowd(w, 60);
+    expect(track.arrived).toBe(2);
   });
 
   it.each([

@@ -106,6 +106,8 @@ export interface Batch {
   /** Triangle last hit, one a foot. */
   triangle: Int32Array;
   offset: Float64Array;
+  /** How far each torso is turned over the feet, the shoulders' yaw less the root's, radians: set by who turns sideways in a gap. */
+  upperYaw: Float64Array;
   balance: Float64Array;
   /** Hips' world places, count x 3. */
   root: Float32Array;
@@ -159,6 +161,7 @@ export function createBatch(
     mixWeights: new Float64Array(3 * MIX * capacity),
     triangle: new Int32Array(2 * capacity),
     offset: new Float64Array(OFFSET * capacity),
+    upperYaw: new Float64Array(capacity),
     balance: new Float64Array(BALANCE * capacity),
     root: new Float32Array(3 * capacity),
     rotations: new Float32Array(POSE * capacity),

@@ -148,6 +148,7 @@ function stand(b: Batch, i: number, at: GroundPose & { y?: number }): void {
   const o = STATE * i;
   s.fill(0, o, o + STATE);
   b.queueCount[i] = 0;
+  b.upperYaw[i] = 0;
   s.set([at.x, at.z, at.yaw, at.y ?? 0], o + TO);
   s.set([at.x, at.z, at.yaw, at.y ?? 0], o + NOW);
   s[o + T1] = b.time;

@@ -97,6 +97,27 @@ function leanOver(out: Float64Array, b: Batch, i: number, t: number): void {
   out[HIPS_AT + 2] += n * dx + c * dz;
 }
 
+/** Shares of a torso's twist: of the hips over the feet, of each joint of the spine; and what neck and head turn back, to look ahead. */
+const HIPS_TWIST = 0.5;
+const SPINE_TWIST = 1 / 6;
+const NECK_BACK = -0.45;
+const HEAD_BACK = -0.35;
+
+/** Turns a joint about its parent's upright. */
+function turnJoint(pose: Float64Array, joint: number, angle: number): void {
+  turn[1] = Math.sin(angle / 2);
+  turn[3] = Math.cos(angle / 2);
+  quatMultiply(pose, 4 * joint, turn, 0, pose, 4 * joint);
+}
+
+function twistBody(pose: Float64Array, twist: number): void {
+  turnJoint(pose, J.spine, SPINE_TWIST * twist);
+  turnJoint(pose, J.chest, SPINE_TWIST * twist);
+  turnJoint(pose, J.upperChest, SPINE_TWIST * twist);
+  turnJoint(pose, J.neck, NECK_BACK * twist);
+  turnJoint(pose, J.head, HEAD_BACK * twist);
+}
+
 const legs = new WeakMap<object, Leg>();
 const turn = new Float64Array(4);
 const shift = new Float64Array(3);
@@ -128,9 +149,9 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
   const yaw = s[o + NOW + 2];
   const c = Math.cos(yaw);
   const n = Math.sin(yaw);
-  turn[1] = Math.sin(yaw / 2);
-  turn[3] = Math.cos(yaw / 2);
-  quatMultiply(pose, 0, turn, 0, pose, 0);
+  const twist = b.upperYaw[i];
+  turnJoint(pose, J.hips, yaw + HIPS_TWIST * twist);
+  if (twist !== 0) twistBody(pose, twist);
   v[0] = s[o + NOW] + c * pose[HIPS_AT] + n * pose[HIPS_AT + 2];
   v[1] = s[o + NOW + 3] + pose[HIPS_AT + 1];
   v[2] = s[o + NOW + 1] - n * pose[HIPS_AT] + c * pose[HIPS_AT + 2];

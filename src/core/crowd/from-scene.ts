@@ -3,6 +3,7 @@ import { createRandom } from "../math/random.ts";
 import type { CrowdGait, Scene } from "../scene/types.ts";
 import { cosine, sine } from "./elementary.ts";
 import { obstacleGap } from "./ground.ts";
+import { repairWorld } from "./repairs.ts";
 import { type CrowdGoal, type CrowdWorld, type Gait, limping, type Obstacle } from "./types.ts";
 
 /** The crowd of a scene; regions are filled from the scene's seed without overlap. @throws Error when it has none. */
@@ -63,6 +64,7 @@ export function crowdOfScene(scene: Scene, name: string): CrowdWorld {
       }
     }
   });
+  repairWorld(world, name);
   return world;
 }
 

@@ -11,6 +11,8 @@ import type { CrowdWorld } from "./types.ts";
 
 /** Longest step of the animation's clock, seconds. */
 const FRAME = 1 / 30;
+/** Twists that are over are swept away when there are so many. */
+const MOST_OVER = 64;
 
 export interface CrowdMotion {
   session: CrowdSession;
@@ -54,6 +56,24 @@ function feed(m: CrowdMotion): void {
   });
 }
 
+/** Turns torsos over their feet as planned, with an ease that begins and ends without a jerk. */
+function twist(m: CrowdMotion, now: number): void {
+  const { upperYaw } = m.body;
+  upperYaw.fill(0);
+  const { twists } = m.session;
+  let over = 0;
+  for (const t of twists) {
+    const u = (now - t.start) / t.duration;
+    if (u > 1) {
+      over++;
+      continue;
+    }
+    if (u < 0 || m.session.gone[t.agent] < now) continue;
+    upperYaw[t.agent] = t.from + (t.to - t.from) * u * u * u * (10 - 15 * u + 6 * u * u);
+  }
+  if (over > MOST_OVER) m.session.twists = twists.filter((t) => now <= t.start + t.duration);
+}
+
 /**
  * Moves everybody on to `seconds` on the crowd's clock.
  *
@@ -63,7 +83,9 @@ export function moveCrowd(m: CrowdMotion, seconds: number, most = 40): boolean {
   if (!runSession(m.session, seconds, most)) return false;
   feed(m);
   while (m.body.time < seconds - 1e-9) {
-    m.body.update(Math.min(FRAME, seconds - m.body.time));
+    const step = Math.min(FRAME, seconds - m.body.time);
+    twist(m, m.body.time + step);
+    m.body.update(step);
     feed(m);
   }
   return true;

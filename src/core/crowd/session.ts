@@ -3,8 +3,10 @@
  * footstep is known before its foot leaves the ground; a change takes it back to just after the moment shown.
  */
 import { type Crowd, changeGround, createCrowd, stepCrowd, stepsOf } from "./crowd.ts";
+import { arcTangent } from "./elementary.ts";
 import { type CrowdFootstep, createFootfallMemory, type FootfallMemory, footfallsOf } from "./footfalls.ts";
 import { type CrowdSnapshot, restoreSnapshot, takeSnapshot } from "./snapshot.ts";
+import { P } from "./state.ts";
 import { type CrowdWorld, TICK } from "./types.ts";
 
 /** How far the simulation is ahead of what is shown, seconds. */
@@ -15,6 +17,16 @@ const BEGUN = 0.6;
 const EVERY = 4;
 const MOST_SNAPSHOTS_OF = 400;
 
+/** A torso's turn over the feet through one step, radians: from and to. */
+export interface TorsoTwist {
+  tick: number;
+  agent: number;
+  start: number;
+  duration: number;
+  from: number;
+  to: number;
+}
+
 interface Kept {
   crowd: CrowdSnapshot;
   memory: FootfallMemory;
@@ -24,6 +36,8 @@ export interface CrowdSession {
   crowd: Crowd;
   /** Footsteps in order of their steps, with the tick on which each was decided. */
   footsteps: { tick: number; step: CrowdFootstep }[];
+  /** Twists of the steps that have any, in order of their steps: taken away by who shows them when they are over. */
+  twists: TorsoTwist[];
   memory: FootfallMemory;
   kept: Kept[];
   /** Seconds at which each agent reached its last goal; Infinity before. */
@@ -37,6 +51,7 @@ export function createSession(world: CrowdWorld): CrowdSession {
   const session: CrowdSession = {
     crowd,
     footsteps: [],
+    twists: [],
     memory: createFootfallMemory(n),
     kept: [],
     gone: new Float64Array(n).fill(Number.POSITIVE_INFINITY),
@@ -52,6 +67,24 @@ function note(s: CrowdSession, i: number, first: boolean): void {
   const aside = crowd.people[i].gait.footAside;
   for (const step of footfallsOf(s.memory, i, crowd.steps, stepsOf(i), aside, first))
     s.footsteps.push({ tick: crowd.tick, step });
+  noteTwist(s, i);
+}
+
+/** Angles under this are no twist, radians. */
+const STRAIGHT = 1e-3;
+
+function noteTwist(s: CrowdSession, i: number): void {
+  const { steps, tick } = s.crowd;
+  const p = stepsOf(i);
+  const over = (face: number, head: number): number =>
+    arcTangent(
+      steps[p + face] * steps[p + head + 1] - steps[p + face + 1] * steps[p + head],
+      steps[p + face] * steps[p + head] + steps[p + face + 1] * steps[p + head + 1],
+    );
+  const from = over(P.fromX, P.fromHeadX);
+  const to = over(P.toX, P.headX);
+  if (Math.abs(from) < STRAIGHT && Math.abs(to) < STRAIGHT) return;
+  s.twists.push({ tick, agent: i, start: steps[p + P.start], duration: steps[p + P.duration], from, to });
 }
 
 /**
@@ -101,6 +134,7 @@ export function changeSession(s: CrowdSession, world: CrowdWorld, shown: number)
     s.memory.duration.set(kept.memory.duration);
     s.kept = s.kept.filter((k) => k.crowd.tick < kept.crowd.tick);
     s.footsteps = s.footsteps.filter((f) => f.tick < crowd.tick);
+    s.twists = s.twists.filter((f) => f.tick < crowd.tick);
     for (let i = 0; i < s.gone.length; i++) if (crowd.people[i].here) s.gone[i] = Number.POSITIVE_INFINITY;
   }
   changeGround(crowd, world);

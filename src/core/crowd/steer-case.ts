@@ -2,86 +2,15 @@
 
 import { createRandom } from "../math/random.ts";
 import { cosine, sine } from "./elementary.ts";
+import { wallObstacles, wallsOfPolygon } from "./polygon-walls.ts";
+import { repairWorld } from "./repairs.ts";
 import type { CrowdAgent, CrowdGoal, CrowdWorld, Obstacle } from "./types.ts";
-
-export interface XmlNode {
-  name: string;
-  text: string;
-  children: XmlNode[];
-  line: number;
-}
-
-/** What is wrong with a case: file, line, and one sentence. */
-export class CaseError extends Error {
-  override name = "CaseError";
-}
+import { CaseError, parseXml, type XmlNode } from "./xml.ts";
 
 const MOST_AGENTS = 5000;
 const MOST_OBSTACLES = 10_000;
 /** Places further than this from the middle are a mistake, metres. */
 const FARTHEST = 10_000;
-
-/**
- * Elements and text of an XML document; attributes, comments and processing instructions are passed over.
- *
- * @throws CaseError for what is not well formed; document types and entities of one's own are refused.
- */
-export function parseXml(text: string, file: string): XmlNode {
-  const root: XmlNode = { name: "", text: "", children: [], line: 1 };
-  const stack: XmlNode[] = [root];
-  let at = 0;
-  let line = 1;
-  const fail = (what: string): never => {
-    throw new CaseError(`${file}, line ${line}: ${what}`);
-  };
-  const moveTo = (to: number): void => {
-    for (let i = at; i < to; i++) if (text.charCodeAt(i) === 10) line++;
-    at = to;
-  };
-  while (at < text.length) {
-    const open = text.indexOf("<", at);
-    const chunk = text.slice(at, open < 0 ? text.length : open);
-    if (/&(?!(lt|gt|amp|quot|apos|#\d+);)/.test(chunk)) fail("an entity that is not known.");
-    stack[stack.length - 1].text += chunk;
-    if (open < 0) {
-      moveTo(text.length);
-      break;
-    }
-    moveTo(open);
-    const skip = (start: string, end: string): boolean => {
-      if (!text.startsWith(start, at)) return false;
-      const stop = text.indexOf(end, at + start.length);
-      if (stop < 0) fail(`${start} is not closed.`);
-      moveTo(stop + end.length);
-      return true;
-    };
-    if (skip("<!--", "-->") || skip("<?", "?>")) continue;
-    if (text.startsWith("<!", at)) fail("document types and entities are not read.");
-    const close = text.indexOf(">", at);
-    if (close < 0) fail("a tag is not closed.");
-    const inside = text.slice(at + 1, close);
-    if (inside.startsWith("/")) {
-      const node = stack.pop() as XmlNode;
-      const name = localName(inside.slice(1));
-      if (stack.length === 0 || node.name !== name)
-        fail(`</${name.slice(0, 30)}> closes <${node.name.slice(0, 30)}>.`);
-    } else {
-      const name = localName(inside.replace(/\/$/, ""));
-      if (!/^[A-Za-z_][\w.-]*$/.test(name)) fail("a tag without a name.");
-      const node: XmlNode = { name, text: "", children: [], line };
-      stack[stack.length - 1].children.push(node);
-      if (!inside.endsWith("/")) stack.push(node);
-      if (stack.length > 100) fail("elements are nested too deep.");
-    }
-    moveTo(close + 1);
-  }
-  if (stack.length > 1) fail(`<${stack[stack.length - 1].name}> is not closed.`);
-  const first = root.children[0];
-  if (!first) fail("no element was found.");
-  return first;
-}
-
-const localName = (tag: string): string => (tag.trim().split(/\s/)[0] ?? "").replace(/^.*:/, "");
 
 /**
  * A SteerSuite test case as a world. Random places are drawn from `seed`.
@@ -198,10 +127,15 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
     const n = Math.sqrt(dx * dx + dz * dz) || 1;
     return { x, z, dirX: dx / n, dirZ: dz / n, goals };
   };
+  const addObstacles = (node: XmlNode, more: readonly Obstacle[]): void => {
+    if (world.obstacles.length + more.length > MOST_OBSTACLES)
+      fail(node, `${more.length} obstacles more, at most ${MOST_OBSTACLES} are possible.`);
+    world.obstacles.push(...more);
+  };
   for (const node of root.children) {
     switch (node.name) {
       case "obstacle":
-        world.obstacles.push(box(...bounds(node)));
+        addObstacles(node, [box(...bounds(node))]);
         break;
       case "circleObstacle": {
         const p = child(node, "position");
@@ -217,11 +151,12 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
         });
         break;
       }
-      case "orientedBoxObstacle": {
+      case "orientedBoxObstacle":
+      case "orientedWallObstacle": {
         const p = child(node, "position");
         const s = child(node, "size");
         const a = (number(node, "thetaY") * Math.PI) / 180;
-        world.obstacles.push({
+        const body: Obstacle = {
           x: metres(p, "x"),
           z: metres(p, "z"),
           halfX: size(s, "x") / 2,
@@ -229,7 +164,19 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
           cos: cosine(a),
           sin: sine(a),
           round: false,
-        });
+        };
+        const door = maybe(node, "doorway");
+        if (door) addObstacles(node, wallObstacles(body, number(door, "value"), size(door, "doorRadius")));
+        else addObstacles(node, [body]);
+        break;
+      }
+      case "polygonObstacle": {
+        const corners = node.children
+          .filter((v) => v.name === "vertex")
+          .map((v): [number, number] => [metres(v, "x"), metres(v, "z")]);
+        if (corners.length < 2)
+          fail(node, `<polygonObstacle> needs two <vertex> or more, found ${corners.length}.`);
+        addObstacles(node, wallsOfPolygon(corners));
         break;
       }
       case "obstacleRegion": {
@@ -264,6 +211,7 @@ export function readSteerCase(text: string, file: string, seed = 1): CrowdWorld 
   }
   if (world.agents.length > MOST_AGENTS)
     throw new CaseError(`${file}: ${world.agents.length} agents, at most ${MOST_AGENTS} are simulated.`);
+  repairWorld(world, file);
   return world;
 }
 
