@@ -16,7 +16,16 @@ import {
 const SWITCHES = ["controls", "autoplay", "loop", "locked"] as const;
 
 function needed(what: string, found: unknown): Error {
-  return new Error(`${what}, found ${JSON.stringify(found) ?? "nothing"}.`);
+  return new Error(`${what}, found ${shown(found)}.`);
+}
+
+/** A value in a few words. Messages may carry what JSON cannot: circles, big integers. */
+function shown(found: unknown): string {
+  try {
+    return JSON.stringify(found)?.slice(0, 80) ?? "nothing";
+  } catch {
+    return `a ${typeof found}`;
+  }
 }
 
 function number(name: string, value: unknown, least: number, most: number): number {
@@ -73,7 +82,7 @@ export async function act(
     case "subscribe": {
       if (!Array.isArray(request.events)) throw needed("events: a list of names is needed", request.events);
       const stranger = request.events.find((e) => !FRAME_EVENTS.includes(e));
-      if (stranger !== undefined) throw new Error(`events: ${JSON.stringify(stranger)} is no event.`);
+      if (stranger !== undefined) throw new Error(`events: ${shown(stranger)} is no event.`);
       subscribe(request.events);
       return null;
     }

@@ -61,7 +61,7 @@ export async function sceneFromHash(hash: string): Promise<{ scene: Scene; name:
   }
   let value: { name?: unknown; scene?: unknown };
   try {
-    value = JSON.parse(strFromU8(bytes)) as typeof value;
+    value = Object(JSON.parse(strFromU8(bytes))) as typeof value;
   } catch {
     throw new Error("This link is cut short or damaged. Ask for it again, or for the scene as a file.");
   }
