@@ -7,7 +7,7 @@ import type { PanelTab } from "../panels/panel-tab.ts";
 import type { Feature } from "./feature.ts";
 
 const row = (label: string, value: string): TemplateResult =>
-  html`<div class="row"><span>${label}</span><span>${value}</span></div>`;
+  html`<div class="row" style="grid-template-columns: 1fr auto; min-height: 28px"><span>${label}</span><span>${value}</span></div>`;
 
 const besideTab: PanelTab = {
   id: "beside",
