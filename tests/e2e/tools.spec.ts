@@ -140,7 +140,7 @@ test("exports are files that hold what they say; a scene and a character are dro
   });
   await expect(page.getByText("joints found")).toBeVisible();
   await drop("broken.glb", Buffer.from("no"));
-  await expect(page.getByText(/broken\.glb: no glTF character/).first()).toBeVisible();
+  await expect(page.getByText(/broken\.glb: no glTF document/).first()).toBeVisible();
   await drop("notes.docx", Buffer.from("no"));
   await expect(page.getByText(/notes\.docx: files of this kind are not read/).first()).toBeVisible();
 });
