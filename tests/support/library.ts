@@ -1,4 +1,4 @@
-/** The studio's library, made once a test file. */
+/** The studio's library, made once a test process. */
 import { buildLibrary } from "../../src/core/templates/build-library.ts";
 import type { Library } from "../../src/core/templates/types.ts";
 import { type Rendered, renderScore } from "../../src/studio/render.ts";
