@@ -370,7 +370,7 @@ describe("means of rotations", () => {
           meanRotation(out, 4, back, Float64Array.from(w).reverse(), n);
           expect(angle(out, 0, out, 4)).toBeLessThan(1e-6);
           const fast = new Float64Array(4);
-          blendRows(fast, q, 4, w, n, 1);
+          blendRows(fast, q, 4, w, n, 0, 1);
           expect((angle(fast, 0, out, 0) * 180) / Math.PI).toBeLessThan(0.05);
         },
       ),

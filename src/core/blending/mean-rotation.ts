@@ -79,6 +79,7 @@ const NEAR = 0.998;
  * Blends rows of rotations that are in one hemisphere already: `joints` quaternions from each of `count` rows.
  *
  * @param out written, 4 x joints. @param rows row k begins at k x stride; unit to rounding.
+ * @param first the first joint, `joints` the one after the last.
  */
 export function blendRows(
   out: Float64Array,
@@ -86,9 +87,10 @@ export function blendRows(
   stride: number,
   weights: Float64Array,
   count: number,
+  first: number,
   joints: number,
 ): void {
-  for (let j = 0; j < joints; j++) {
+  for (let j = first; j < joints; j++) {
     const o = 4 * j;
     let x = 0;
     let y = 0;

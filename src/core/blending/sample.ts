@@ -1,5 +1,5 @@
 /** Rows of the library at a phase, blended by a mix. Hot path: no allocation. */
-import { JOINT_COUNT } from "../skeleton/joints.ts";
+import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import { type Batch, OFFSET, POSE } from "./batch.ts";
 import {
   BODY_ROW,
@@ -14,8 +14,16 @@ import {
 import { blendRows } from "./mean-rotation.ts";
 import { MIX } from "./mix.ts";
 
+/** Joints of the feet are laid by the footsteps, not by the blend: 16 and 17, 20 and 21. */
+const isFoot = (joint: number): boolean => joint >= J.leftFoot && (joint & 2) === 0;
+/** Where the rotations before the left foot, and those of the right leg, begin and end. */
+const LEFT_FOOT = 4 * J.leftFoot;
+const RIGHT_LEG = 4 * J.rightUpperLeg;
+const RIGHT_FOOT = 4 * J.rightFoot;
+
 /**
- * The body at phase u of a mix's steps: rotations and the hips' place in the root's frame.
+ * The body at phase u of a mix's steps: rotations and the hips' place in the root's frame. Feet are straight: their own pass lays
+ * them.
  *
  * @param mix index of the mix (three a character). @param side of the step: 0 left, 1 right.
  */
@@ -32,7 +40,15 @@ export function sampleBody(out: Float64Array, b: Batch, mix: number, side: numbe
   for (let k = 0; k < count; k++) {
     const from = ((2 * b.mixClips[mix * MIX + k] + side) * BODY_ROWS + r) * BODY_ROW;
     const to = k * BODY_ROW;
-    for (let c = 0; c < HIPS_AT + 3; c++) {
+    for (let c = 0; c < LEFT_FOOT; c++) {
+      const v = body[from + c];
+      rows[to + c] = v + f * (body[from + BODY_ROW + c] - v);
+    }
+    for (let c = RIGHT_LEG; c < RIGHT_FOOT; c++) {
+      const v = body[from + c];
+      rows[to + c] = v + f * (body[from + BODY_ROW + c] - v);
+    }
+    for (let c = HIPS_AT; c < HIPS_AT + 3; c++) {
       const v = body[from + c];
       rows[to + c] = v + f * (body[from + BODY_ROW + c] - v);
     }
@@ -42,7 +58,13 @@ export function sampleBody(out: Float64Array, b: Batch, mix: number, side: numbe
     hz += w * rows[to + HIPS_AT + 2];
   }
   for (let k = 0; k < count; k++) weights[k] = b.mixWeights[mix * MIX + k];
-  blendRows(out, rows, BODY_ROW, weights, count, JOINT_COUNT);
+  blendRows(out, rows, BODY_ROW, weights, count, 0, J.leftFoot);
+  blendRows(out, rows, BODY_ROW, weights, count, J.rightUpperLeg, J.rightFoot);
+  for (let j = J.leftFoot; j < JOINT_COUNT; j++) {
+    if (!isFoot(j)) continue;
+    out[4 * j] = out[4 * j + 1] = out[4 * j + 2] = 0;
+    out[4 * j + 3] = 1;
+  }
   out[HIPS_AT] = hx;
   out[HIPS_AT + 1] = hy;
   out[HIPS_AT + 2] = hz;
@@ -100,6 +122,7 @@ export function beginOffset(
   const o = OFFSET * i;
   let most = 0;
   for (let j = 0; j < JOINT_COUNT; j++) {
+    if (isFoot(j)) continue;
     rodrigues(g, o + 6 * j, fresh, old, 4 * j);
     rodrigues(rate, 0, oldBefore, old, 4 * j);
     rodrigues(rate, 3, fresh, freshAfter, 4 * j);
@@ -159,6 +182,7 @@ export function applyOffset(pose: Float64Array, b: Batch, i: number, s: number, 
   const h0 = 1 - s3 * (10 - 15 * s + 6 * s2);
   const h1 = length * (s - s3 * (6 - 8 * s + 3 * s2));
   for (let q = 0, a = o; q < POSE; q += 4, a += 6) {
+    if (isFoot(q >> 2)) continue;
     const gx = h0 * g[a] + h1 * g[a + 3];
     const gy = h0 * g[a + 1] + h1 * g[a + 4];
     const gz = h0 * g[a + 2] + h1 * g[a + 5];
