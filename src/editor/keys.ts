@@ -40,6 +40,8 @@ export function allKeys(e: Editor): readonly KeyBinding[] {
 export function pageKey(e: Editor, ev: KeyboardEvent): void {
   const target = ev.target as HTMLElement;
   if (target.closest("input, select, textarea, dialog") || ev.defaultPrevented) return;
+  // Nothing behind an open dialog is in reach, wherever the focus is; Escape closes it.
+  if (document.querySelector("dialog:modal")) return;
   const pressed = chord(ev);
   // A control that has the focus keeps its space bar; handles over the stage do not need it.
   if (pressed === "Space" && target.closest("button:not(.marker), [role=button], [role=slider]")) return;

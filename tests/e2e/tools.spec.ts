@@ -184,6 +184,14 @@ test("every control is reached by keyboard, in order, with a name; the sheet lis
   await page.getByRole("searchbox").fill("swap");
   await expect(page.getByText("Swap the foot")).toBeVisible();
   await expect(page.getByText("Duplicate")).toHaveCount(0);
+  // Nothing behind the sheet is in reach, even when a click on its text has taken the focus away; Escape still closes it.
+  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+  const before = await page.evaluate(() => JSON.stringify(window.stepwright!.state().scene));
+  await page.keyboard.press("Control+d");
+  await page.keyboard.press("p");
+  expect(await page.evaluate(() => JSON.stringify(window.stepwright!.state().scene))).toBe(before);
+  await page.keyboard.press("Escape");
+  await expect(page.getByRole("searchbox")).toHaveCount(0);
 });
 
 test("on a phone: nothing overlaps the tool bar, the sheet has three heights, no serious violation", async ({
