@@ -9,7 +9,6 @@ import { ALL_FEATURES } from "./features/all.ts";
 import { Registry } from "./features/feature.ts";
 import { LayerHost } from "./layers/layer.ts";
 import { edges } from "./parts/edges.ts";
-import { helpSheet } from "./parts/help-sheet.ts";
 import { overlayChips } from "./parts/overlay.ts";
 import { panel } from "./parts/panel.ts";
 import { timeline } from "./parts/timeline.ts";
@@ -116,7 +115,6 @@ export class Editor {
       const chips = this.places.viewport.querySelector(".chips") as HTMLElement;
       render([toolRail(this), overlayChips(this)], chips);
       edges(this, this.places.edges);
-      helpSheet(this);
     });
   }
 

@@ -37,7 +37,6 @@ export interface EditorState {
   saved: "saved" | "saving" | "off";
   /** Id of the menu that is open. */
   menu: string | null;
-  help: boolean;
   /** Height of the bottom sheet on narrow windows. */
   sheet: "peek" | "half" | "full";
   toast: { text: string; undo: boolean; warns: boolean } | null;
@@ -74,7 +73,6 @@ export function createEditorStore(scene: Scene, name: string, theme: Theme) {
     canRedo: false,
     saved: "saved",
     menu: null,
-    help: false,
     sheet: "half",
     toast: null,
     progress: null,

@@ -25,6 +25,7 @@ const board = material("#fbfbfa", 0.35);
 const frame = material("#b4b8bc", 0.4);
 const wall = material("#d9d8d4", 0.9);
 const pens = ["#2c3a63", "#b5483a", "#2f6f5a"].map((c) => material(c, 0.4));
+const SHARED = new Set([top, birch, cardboard, tape, board, frame, wall, ...pens]);
 
 /** A soft dark spot: grounds what stands. */
 export function blob(width: number, depth: number, strength: number): Mesh {
@@ -35,10 +36,7 @@ export function blob(width: number, depth: number, strength: number): Mesh {
 }
 
 let blobTexture: CanvasTexture | null = null;
-const blobs = new Map<number, MeshBasicMaterial>();
 function blobMaterial(opacity: number): MeshBasicMaterial {
-  const made = blobs.get(opacity);
-  if (made) return made;
   if (!blobTexture) {
     const c = document.createElement("canvas");
     c.width = c.height = 64;
@@ -53,15 +51,13 @@ function blobMaterial(opacity: number): MeshBasicMaterial {
     }
     blobTexture = new CanvasTexture(c);
   }
-  const m = new MeshBasicMaterial({
+  return new MeshBasicMaterial({
     map: blobTexture,
     transparent: true,
     opacity,
     depthWrite: false,
     toneMapped: false,
   });
-  blobs.set(opacity, m);
-  return m;
 }
 
 function rounded(w: number, h: number, d: number, m: MeshStandardMaterial, radius = 0.01): Mesh {
@@ -212,7 +208,6 @@ function whiteboard(p: SceneProp): Object3D {
   panel.position.z = d / 2 + 0.012;
   const face = new Mesh(new PlaneGeometry(w - 0.05, h - 0.05), board.clone());
   (face.material as MeshStandardMaterial).map = drawing(w, h);
-  face.userData.own = true;
   face.rotation.y = Math.PI;
   face.position.z = 0.011;
   face.receiveShadow = true;
@@ -242,15 +237,15 @@ export function propShape(p: SceneProp): string {
   return JSON.stringify([p.kind, p.size, p.kind === "board" ? p.position[1] : 0]);
 }
 
-/** Gives back what a prop's object holds on the graphics card; materials that props share stay. */
+/** Gives back what an object of blobs and furniture holds on the graphics card; what they share stays. */
 export function disposeProp(o: Object3D): void {
   o.traverse((part) => {
     if (!(part instanceof Mesh)) return;
     part.geometry.dispose();
-    if (part.userData.own !== true) return;
-    const own = part.material as MeshStandardMaterial;
-    own.map?.dispose();
-    own.dispose();
+    const m = part.material as MeshStandardMaterial;
+    if (SHARED.has(m)) return;
+    if (m.map !== blobTexture) m.map?.dispose();
+    m.dispose();
   });
 }
 

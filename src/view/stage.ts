@@ -51,7 +51,9 @@ export class Stage {
   private readonly controls: OrbitControls;
   private readonly room: Room;
   private readonly footprints = new FootprintLayer();
+  /** The newest skin, and the one that is in the room: the newest may still be on its way. */
   private figure: Figure | null = null;
+  private worn: Figure | null = null;
   private guest: Guest | null = null;
   private readonly furniture = new Furniture();
   private readonly marks = new TaskMarks();
@@ -108,7 +110,8 @@ export class Stage {
     this.renderer.toneMappingExposure = ROOMS[theme].exposure;
     this.room.setTheme(theme);
     this.footprints.setTheme(theme);
-    this.figure?.setTheme(theme);
+    this.worn?.setTheme(theme);
+    if (this.figure !== this.worn) this.figure?.setTheme(theme);
     this.invalidate();
   }
 
@@ -125,7 +128,7 @@ export class Stage {
   /** Shows or hides the one character. */
   setFigureShown(shown: boolean): void {
     this.figureShown = shown;
-    if (this.figure) this.figure.group.visible = shown && this.guest === null;
+    if (this.worn) this.worn.group.visible = shown && this.guest === null;
     if (this.guest) this.guest.group.visible = shown;
     this.invalidate();
   }
@@ -138,17 +141,21 @@ export class Stage {
   }
 
   setCharacter(skeleton: Skeleton, mesh: CharacterMesh): void {
-    const before = this.figure;
     const figure = new Figure(skeleton, mesh);
     this.figure = figure;
     figure.setTheme(this.theme);
     // Its shaders are made while the page goes on; until then the one before is shown.
     void this.renderer.compileAsync(figure.group, this.camera, this.scene).then(() => {
-      if (before) {
-        this.scene.remove(before.group);
-        before.dispose();
+      // A newer one has come meanwhile: this one is never shown.
+      if (this.figure !== figure) {
+        figure.dispose();
+        return;
       }
-      // A newer one takes this one's place when it is ready.
+      if (this.worn) {
+        this.scene.remove(this.worn.group);
+        this.worn.dispose();
+      }
+      this.worn = figure;
       figure.group.visible = this.guest === null && this.figureShown;
       this.scene.add(figure.group);
       this.invalidate();
@@ -160,7 +167,7 @@ export class Stage {
     if (this.guest) this.scene.remove(this.guest.group);
     this.guest = guest;
     if (guest) this.scene.add(guest.group);
-    if (this.figure) this.figure.group.visible = guest === null && this.figureShown;
+    if (this.worn) this.worn.group.visible = guest === null && this.figureShown;
     this.invalidate();
   }
 
@@ -169,7 +176,8 @@ export class Stage {
   }
 
   setPose(root: ArrayLike<number>, r: number, rotations: ArrayLike<number>, o: number): void {
-    this.figure?.setPose(root, r, rotations, o);
+    this.worn?.setPose(root, r, rotations, o);
+    if (this.figure !== this.worn) this.figure?.setPose(root, r, rotations, o);
     this.guest?.setPose(root, r, rotations, o);
     this.invalidate();
   }
@@ -402,7 +410,8 @@ export class Stage {
     this.marks.dispose();
     for (const line of this.inkLines.values()) line.geometry.dispose();
     this.room.dispose();
-    this.figure?.dispose();
+    this.worn?.dispose();
+    if (this.figure !== this.worn) this.figure?.dispose();
     this.renderer.dispose();
     this.canvas.remove();
   }

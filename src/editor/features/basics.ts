@@ -9,6 +9,7 @@ import type { KeyBinding } from "../keys.ts";
 import { characterLayer } from "../layers/character.ts";
 import type { MenuEntry } from "../menus.ts";
 import { sceneTab } from "../panels/scene.ts";
+import { openHelp } from "../parts/help-sheet.ts";
 import { useClipboard } from "../session/clipboard.ts";
 import { selectTool } from "../tools/select.ts";
 import type { Feature } from "./feature.ts";
@@ -94,7 +95,7 @@ const keys: readonly KeyBinding[] = [
   },
   { keys: ["X"], label: "Snap", group: "Scene", run: (e) => e.set({ snap: !e.store.getState().snap }) },
   { keys: ["F"], label: "Fit the view", group: "Scene", run: (e) => e.frameScene() },
-  { keys: ["?"], label: "Help", group: "Scene", run: (e) => e.set({ help: true }) },
+  { keys: ["?"], label: "Help", group: "Scene", run: openHelp },
 ];
 
 const menu: readonly MenuEntry[] = [

@@ -9,14 +9,11 @@ const GROUPS = ["Tools", "Selected", "Time", "Scene", "Labels"] as const;
 let dialog: HTMLDialogElement | null = null;
 let search = "";
 
-/** Opens or closes the sheet as the state says. */
-export function helpSheet(e: Editor): void {
-  const { help } = e.store.getState();
-  if (!help && !dialog?.open) return;
+/** Opens the sheet; Escape, its button and a click beside it close it. */
+export function openHelp(e: Editor): void {
   if (!dialog) {
     dialog = document.createElement("dialog");
     dialog.setAttribute("aria-label", "Keys and help");
-    dialog.addEventListener("close", () => e.set({ help: false }));
     dialog.addEventListener("click", (ev) => {
       if (ev.target === dialog) dialog?.close();
     });
@@ -49,6 +46,5 @@ export function helpSheet(e: Editor): void {
     );
   };
   draw();
-  if (help && !dialog.open) dialog.showModal();
-  if (!help && dialog.open) dialog.close();
+  if (!sheet.open) sheet.showModal();
 }

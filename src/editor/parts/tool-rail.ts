@@ -1,9 +1,11 @@
 /** Tools at the viewport's left: what the features registered, the choices of the one at hand, then snap. */
+
 import { html, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../editor.ts";
 import { ICONS } from "../icons.ts";
 import type { Tool } from "../tools/tool.ts";
 import { exportSwitches } from "./export-switches.ts";
+import { openHelp } from "./help-sheet.ts";
 import { menuRows } from "./menu-rows.ts";
 import { legendRows } from "./overlay.ts";
 
@@ -46,7 +48,7 @@ function more(e: Editor): TemplateResult {
     ${e.tools.all.filter(second).map((t) => act(t.label, () => e.tools.use(t.id)))}
     ${act(s.snap ? "Snapping is on: turn it off" : "Snap to 5 cm and 15°", () => e.set({ snap: !s.snap }))}
     ${act(s.theme === "light" ? "Dark theme" : "Light theme", () => e.toggleTheme())}
-    ${act("Keys and help", () => e.set({ help: true }))}
+    ${act("Keys and help", () => openHelp(e))}
     <hr />
     ${exportSwitches(e)}${menuRows(e.registry.exports, (f) => void e.files.save(f))}
   </div>`;

@@ -1,8 +1,10 @@
 /** The bar at the top: the scene's name with its menu, what is kept, undo, theme, help, Export and Share. */
+
 import { html, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../editor.ts";
 import { ICONS } from "../icons.ts";
 import { exportSwitches } from "./export-switches.ts";
+import { openHelp } from "./help-sheet.ts";
 import { menuRows } from "./menu-rows.ts";
 import { openSceneMenu, sceneMenu } from "./scene-menu.ts";
 
@@ -25,7 +27,7 @@ export function topBar(e: Editor): TemplateResult {
     <button class="icon" aria-label="Redo" title="Redo (Ctrl Y)" ?disabled=${!s.canRedo} @click=${() => e.scene.redo()}>${ICONS.redo}</button>
     <span class="separator wide"></span>
     <button class="icon wide" aria-label=${light ? "Dark theme" : "Light theme"} title=${light ? "Dark theme" : "Light theme"} @click=${() => e.toggleTheme()}>${light ? ICONS.light : ICONS.dark}</button>
-    <button class="icon wide" aria-label="Keys and help" title="Keys and help (?)" @click=${() => e.set({ help: true })}>${ICONS.help}</button>
+    <button class="icon wide" aria-label="Keys and help" title="Keys and help (?)" @click=${() => openHelp(e)}>${ICONS.help}</button>
     <span class="separator"></span>
     <button class="button wide" aria-haspopup="dialog" aria-expanded=${s.menu === "export"} @click=${() => e.setMenu("export")}>Export</button>
     ${

@@ -2,7 +2,7 @@
 import { Bone, Group, MeshPhysicalMaterial, SkinnedMesh, Skeleton as ThreeSkeleton } from "three";
 import { JOINT_COUNT, JOINT_NAMES, PARENTS } from "../../core/skeleton/joints.ts";
 import type { Skeleton } from "../../core/skeleton/skeleton.ts";
-import { blob } from "../props.ts";
+import { blob, disposeProp } from "../props.ts";
 import { ROOMS, SHOES, type Theme } from "../tokens.ts";
 import { PARTS } from "./body-shape.ts";
 import type { CharacterMesh } from "./build-mesh.ts";
@@ -93,6 +93,8 @@ export class Figure {
 
   dispose(): void {
     this.mesh.geometry.dispose();
+    this.mesh.skeleton.dispose();
+    for (const b of this.blobs) disposeProp(b);
     for (const m of this.materials) m.dispose();
   }
 }

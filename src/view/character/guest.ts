@@ -5,7 +5,7 @@
  * The motion is planned for a skeleton of the guest's own height and legs (`measure`), so what is left for the legs to
  * close is small.
  */
-import { Box3, Group, type Object3D, Quaternion, SkinnedMesh, Vector3 } from "three";
+import { Box3, Group, type Object3D, Quaternion, SkinnedMesh, Texture, Vector3 } from "three";
 import { forwardKinematics } from "../../core/skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT, JOINT_NAMES, type JointName, PARENTS } from "../../core/skeleton/joints.ts";
 import type { Skeleton } from "../../core/skeleton/skeleton.ts";
@@ -164,7 +164,11 @@ export class Guest {
     this.group.traverse((o) => {
       if (o instanceof SkinnedMesh) {
         o.geometry.dispose();
-        for (const m of Array.isArray(o.material) ? o.material : [o.material]) m.dispose();
+        o.skeleton.dispose();
+        for (const m of Array.isArray(o.material) ? o.material : [o.material]) {
+          for (const v of Object.values(m)) if (v instanceof Texture) v.dispose();
+          m.dispose();
+        }
       }
     });
   }
