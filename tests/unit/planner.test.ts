@@ -5,11 +5,14 @@ import {
   synthesiseChunk,
   synthesiseClip,
 } from "../../src/core/motion/synthesise.ts";
+import type { BoxTrack } from "../../src/core/motion/types.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
 import * as commands from "../../src/core/scene/commands.ts";
 import { defaultScene } from "../../src/core/scene/default-scene.ts";
 import { parseScene } from "../../src/core/scene/schema.ts";
 import type { Scene } from "../../src/core/scene/types.ts";
+import { forwardKinematics } from "../../src/core/skeleton/forward-kinematics.ts";
+import { J, JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { goalsOf, planScene } from "../../src/core/tasks/plan-scene.ts";
 import { findRoute, obstacleDistance } from "../../src/core/tasks/route.ts";
@@ -146,6 +149,41 @@ describe("planner", () => {
       });
     }
     expect(changed / all).toBeGreaterThan(0.2);
+  });
+
+  it("a box that is let go for another falls to the floor and lies there; the body comes back from it without a jerk", () => {
+    const scene = parseScene({
+      version: 1,
+      tasks: [
+        { id: "first", category: "lift", position: [0, 0.9, 2], yaw: 0 },
+        { id: "second", category: "lift", position: [3, 0.9, 2], yaw: 0 },
+      ],
+    });
+    const { clip, hands } = run(scene);
+    const [first, second] = hands.boxes;
+    const height = (b: BoxTrack, k: number) => b.transforms[7 * k + 1];
+    const last = first.frames - 1;
+    expect(first.first + first.frames).toBeLessThan(second.first);
+    expect(height(first, last)).toBeCloseTo(0.13, 2);
+    // It falls as things fall: by gravity from where it was let go, until it lies.
+    const pull = (k: number) => 3600 * (height(first, k - 1) - 2 * height(first, k) + height(first, k + 1));
+    let letGo = last - 1;
+    while (Math.abs(pull(letGo - 1) + 9.81) < 0.2) letGo--;
+    expect(height(first, letGo)).toBeGreaterThan(0.7);
+    const seconds = Math.sqrt((2 * (height(first, letGo) - height(first, last))) / 9.81);
+    expect(Math.abs((last - letGo) / 60 - seconds)).toBeLessThan(2 / 60);
+    // The head is carried: no frame in which it is thrown.
+    const positions = new Float64Array(3 * JOINT_COUNT);
+    const world = new Float64Array(4 * JOINT_COUNT);
+    const head = Array.from({ length: 90 }, (_, k) => {
+      const f = first.first + letGo - 15 + k;
+      forwardKinematics(positions, world, skeleton, clip.root, 3 * f, clip.rotations, 4 * JOINT_COUNT * f);
+      return [...positions.subarray(3 * J.head, 3 * J.head + 3)];
+    });
+    for (let k = 1; k + 1 < head.length; k++) {
+      const a = [0, 1, 2].map((c) => (head[k + 1][c] - 2 * head[k][c] + head[k - 1][c]) * 3600);
+      expect(Math.hypot(...a), `frame ${k}`).toBeLessThan(20);
+    }
   });
 
   it("a point out of reach is planned for and named", () => {
