@@ -73,10 +73,19 @@ export function blendAt(
 /** Starts a stride that `blendLengths` looks at. */
 export const BLEND_STARTS = 24;
 
+/** Lengths known already: loops are kept over the edits of a path. */
+const known = new WeakMap<LoopSequence, WeakMap<LoopSequence, Float32Array>>();
+
 /** Blend lengths from everywhere in one pass of `from`, BLEND_STARTS a stride, frames at 60 Hz: by where a change begins. */
 export function blendLengths(from: LoopSequence, to: LoopSequence): Float32Array {
-  return Float32Array.from(
-    { length: BLEND_STARTS * from.strides },
-    (_, k) => blendAt(from, k / BLEND_STARTS, to).length.frames,
-  );
+  const others = known.get(from) ?? new WeakMap<LoopSequence, Float32Array>();
+  known.set(from, others);
+  const lengths =
+    others.get(to) ??
+    Float32Array.from(
+      { length: BLEND_STARTS * from.strides },
+      (_, k) => blendAt(from, k / BLEND_STARTS, to).length.frames,
+    );
+  others.set(to, lengths);
+  return lengths;
 }
