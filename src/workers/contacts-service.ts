@@ -4,7 +4,7 @@ import type { Clip } from "../core/capture/clip.ts";
 import { importBvhFile, jointsOf } from "../core/capture/import.ts";
 import { cleanBvh } from "../core/cleanup/clean-bvh.ts";
 import { rewriteBvh } from "../core/cleanup/file-motion.ts";
-import { plantSlides, typicalSlide } from "../core/cleanup/slides.ts";
+import { plantSlides, slideP95 } from "../core/cleanup/slides.ts";
 import { rankDistances } from "../core/contacts/active-learning.ts";
 import { asRested } from "../core/contacts/convention.ts";
 import { footCurves } from "../core/contacts/curves.ts";
@@ -168,8 +168,8 @@ export function createContactsService(post: PostContacts): (request: ContactsReq
     await breathe(r.id);
     const { clip } = importBvhFile(file, o.joints);
     const skate: [number, number] = [
-      typicalSlide(plantSlides(o.file, o.clip, r.contacts, o.joints)),
-      typicalSlide(plantSlides(file, o.clip, r.contacts, o.joints)),
+      slideP95(plantSlides(o.file, o.clip, r.contacts, o.joints)),
+      slideP95(plantSlides(file, o.clip, r.contacts, o.joints)),
     ];
     const data = clipData(clip);
     post(

@@ -2,7 +2,7 @@
 import { parseBvh } from "../../src/core/capture/bvh-parse.ts";
 import { importBvhFile } from "../../src/core/capture/import.ts";
 import { cleanBvh } from "../../src/core/cleanup/clean-bvh.ts";
-import { plantSlides, typicalSlide } from "../../src/core/cleanup/slides.ts";
+import { plantSlides, slideP95 } from "../../src/core/cleanup/slides.ts";
 import { trackOf } from "../../src/core/contacts/motion-track.ts";
 import { askOracle, type Oracle } from "../../src/core/contacts/oracle.ts";
 import { labelledClips, type Skate, skating } from "../support/labelled.ts";
@@ -42,12 +42,12 @@ export function clean(
       const f = figure(
         `contacts, clean, ${name}, ${who}: slide of a plant, p95`,
         "mm",
-        [typicalSlide(values)],
+        [slideP95(values)],
         "<= 2 mm",
         (v) => v <= 2,
       );
       f.peer = "before";
-      f.peerMedian = typicalSlide(before);
+      f.peerMedian = slideP95(before);
       f.ratio = f.median / f.peerMedian;
       figures.push(f);
     }

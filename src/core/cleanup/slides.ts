@@ -10,8 +10,8 @@ import { stillest } from "./roll.ts";
 /** Directions in which the excursion of a way is measured. */
 const DIRECTIONS = 18;
 
-/** 95th percentile over all plants of a file, millimetres; 0 where nothing is planted for two frames. */
-export function typicalSlide(slides: readonly number[]): number {
+/** The 95th percentile of slides; 0 of none. */
+export function slideP95(slides: readonly number[]): number {
   const sorted = [...slides].sort((a, b) => a - b);
   return sorted.length === 0 ? 0 : sorted[Math.min(sorted.length - 1, Math.floor(0.95 * sorted.length))];
 }
