@@ -102,7 +102,7 @@ describe("a quick tap before longer writing [TaskLoco Figure 15]", () => {
       };
       const upright = lean(write, scene(1));
       const leaned = lean(tap, tapScene);
-      expect(leaned).toBeGreaterThan(0.04);
+      expect(leaned).toBeGreaterThan(0.05);
       expect(leaned).toBeGreaterThan(upright + 0.02);
       const hand = places[3 * J.rightHand];
       expect(Math.abs(hand)).toBeLessThan(0.15);
