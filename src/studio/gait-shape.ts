@@ -7,6 +7,7 @@
  * kept. No frame and no single curve of a capture is in it.
  */
 
+import { harmonicsOf, readHarmonics } from "../core/math/interpolate.ts";
 import { FITTED } from "./gait-shapes.ts";
 import { type Actor, paceOf } from "./score.ts";
 
@@ -34,6 +35,8 @@ export interface GaitShape {
   outward: number;
   /** Share of double support after which the weight begins to have passed over. */
   passOver: number;
+  /** How early in a stance between two flights the body pushes: 1 evenly, less earlier, see flight.ts. */
+  early: number;
   /** Hip joints' height from a strike to the next, in tenths, leg lengths. */
   heights: readonly number[];
   /** Degrees: turning of the pelvis about up and its phase lead (radians); list; tilt and its swing. */
@@ -62,7 +65,24 @@ function mix(a: GaitShape, b: GaitShape, u: number): GaitShape {
         ? x + u * ((y as number) - x)
         : (x as readonly number[]).map((v, i) => v + u * ((y as readonly number[])[i] - v));
   }
+  out.heights = mixPeriodic(a.heights, b.heights, u);
   return out as unknown as GaitShape;
+}
+
+/**
+ * Mean of two periodic curves, brought into step first: slow walkers are highest just before a strike, quicker ones earlier,
+ * and a plain mean of the two would be flatter than either.
+ */
+function mixPeriodic(a: readonly number[], b: readonly number[], u: number): number[] {
+  const curves = [a, b].map((keys) => harmonicsOf(keys, Math.floor((keys.length - 1) / 2)));
+  const [late, later] = curves.map((c) => Math.atan2(c[2], c[1]) / (2 * Math.PI));
+  const apart = later - late - Math.round(later - late);
+  return a.map((_, i) => {
+    const at = i / a.length;
+    return (
+      (1 - u) * readHarmonics(curves[0], at - u * apart) + u * readHarmonics(curves[1], at + (1 - u) * apart)
+    );
+  });
 }
 
 /** The shape of an actor's gait, by the speed of the pace and whether it runs; beyond the sets' range, the nearest. */

@@ -8,6 +8,7 @@ import { gaussian } from "../core/math/interpolate.ts";
 import { JOINT_COUNT } from "../core/skeleton/joints.ts";
 import { createSkeleton, type Skeleton } from "../core/skeleton/skeleton.ts";
 import type { ContactTrack } from "../core/steps/types.ts";
+import { shapeOf } from "./gait-shape.ts";
 import { type BodyAngles, renderBody } from "./layers/body.ts";
 import { type Load, pendulum, zeroMomentPoint } from "./layers/centre-of-mass.ts";
 import { type FootTrack, renderFoot } from "./layers/feet.ts";
@@ -82,7 +83,8 @@ export function renderWorkings(score: Score): Workings {
   };
   const positions = new Float64Array(3 * JOINT_COUNT * frames);
   const flight = on.flight ? flightFrames(feet, frames) : null;
-  const { way, height, weight } = firstWay(pressure, body, tasks, skeleton, flight, on.balance);
+  const { early } = shapeOf(score.actor);
+  const { way, height, weight } = firstWay(pressure, body, tasks, skeleton, flight, early, on.balance);
   const wished = Float64Array.from(body.hipHeight);
   if (on.alive) loosenArms(body, gait, way);
   trunkRotations(clip, body);
@@ -105,7 +107,7 @@ export function renderWorkings(score: Score): Workings {
     if (round === rounds) break;
     const carried = tasks.load.share.some((s) => s > 0) ? tasks.load : null;
     const fallen = correct(
-      { clip, body, pressure, tasks, way, wished, height, positions },
+      { clip, body, pressure, tasks, way, wished, height, positions, early },
       flight,
       carried,
       load,
@@ -130,10 +132,11 @@ function firstWay(
   tasks: TaskLayer,
   skeleton: Skeleton,
   flight: Uint8Array | null,
+  early: number,
   balanced: boolean,
 ): { way: Float64Array; height: Float64Array; weight: Float64Array | null } {
   const height = Float64Array.from(body.hipHeight, (h) => h + 0.05 * skeleton.height);
-  const weight = flight ? loadFactor(ballisticHeight(height, flight)) : null;
+  const weight = flight ? loadFactor(ballisticHeight(height, flight, early)) : null;
   let way: Float64Array;
   if (balanced) way = pendulum(pressure.point, height, tasks.pins, weight);
   else {
@@ -156,6 +159,8 @@ interface Round {
   wished: Float64Array;
   height: Float64Array;
   positions: Float64Array;
+  /** How early the push on the ground comes. */
+  early: number;
 }
 
 /** One round of bringing the whole body's zero-moment point to the planned pressure. Mutates the way and the hip heights. */
@@ -165,7 +170,7 @@ function correct(
   carried: Load | null,
   before: Float64Array | null,
 ): { weight: Float64Array | null; zeroMoment: Float64Array } {
-  const { clip, body, pressure, tasks, way, wished, height, positions } = r;
+  const { clip, body, pressure, tasks, way, wished, height, positions, early } = r;
   const { frames, skeleton } = clip;
   const centre = new Float64Array(3 * frames);
   const q = zeroMomentPoint(positions, JOINT_COUNT, frames, centre, carried);
@@ -177,7 +182,7 @@ function correct(
       { length: frames },
       (_, f) => centre[3 * f + 1] + wished[f] + hipsOver(body, skeleton, f) - clip.root[3 * f + 1],
     );
-    const fallen = ballisticHeight(wish, flight);
+    const fallen = ballisticHeight(wish, flight, early);
     for (let f = 0; f < frames; f++) body.hipHeight[f] = wished[f] + fallen[f] - wish[f];
     weight = loadFactor(fallen);
     for (let f = 0; f < frames; f++) {

@@ -3,17 +3,19 @@
  * material beside the repository. Prints the shape to be copied to src/studio/gait-shapes.ts, and how it stands.
  *
  * Damped Gauss-Newton by differences. Residuals: hip, knee and ankle over max(SD, 2 degrees), excursions, clearance and
- * toe lift, joints that turn faster than people's do, balance, rough keys, and the distance from the start.
+ * toe lift, joints that turn faster than people's do, jerk beyond theirs, balance, rough keys, and the distance from the start.
  */
 import { balanceShares } from "../../src/core/quality/balance.ts";
 import { type GaitAnalysis, measureGait } from "../../src/core/quality/gait.ts";
+import { paceOf, steadyFrames } from "../../src/core/quality/kind.ts";
 import { motionPoints } from "../../src/core/quality/measure.ts";
+import { jerkRatios } from "../../src/core/quality/smoothness.ts";
 import { J, JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
 import { DEFAULT_PROPORTIONS, REFERENCE_HEIGHT } from "../../src/core/skeleton/skeleton.ts";
 import type { Plan } from "../../src/core/tasks/plan-types.ts";
 import { straightScore } from "../../src/studio/choreography/straight.ts";
 import type { GaitShape } from "../../src/studio/gait-shape.ts";
-import { renderScore } from "../../src/studio/render.ts";
+import { renderWorkings } from "../../src/studio/render.ts";
 import { curveShares } from "../support/gait-real.ts";
 import { RECIPES, type Recipe, targetOf } from "./recipes.ts";
 
@@ -31,6 +33,7 @@ const KEYS: Partial<Record<keyof GaitShape, number>> = {
   pressure: 0.025,
   outward: 0.006,
   heights: 0.008,
+  early: 0.15,
   pelvisYaw: 3,
   pelvisLead: 0.3,
   pelvisTilt: 2,
@@ -44,17 +47,22 @@ const USUAL: [number, number][] = [
   [J.leftToes, 450],
 ];
 
+/** Jerk that costs nothing, over real walkers' median, and how much more does. */
+const LIKE_REAL = 0.9;
+const JERK_WEIGHT = 2.5;
+
 interface Slot {
   key: keyof GaitShape;
   index: number | null;
   scale: number;
 }
 
-function slotsOf(shape: GaitShape): Slot[] {
+function slotsOf(shape: GaitShape, run: boolean): Slot[] {
   const out: Slot[] = [];
   for (const [name, scale] of Object.entries(KEYS)) {
     const key = name as keyof GaitShape;
     const value = shape[key];
+    if (key === "early" && !run) continue;
     if (typeof value === "number") out.push({ key, index: null, scale });
     else
       for (let i = 0; i < value.length; i++) {
@@ -82,10 +90,14 @@ interface Look {
   /** Per joint, over the usual. */
   turning: number[];
   balance: number;
+  /** Jerk of hands, feet, head and hips over real walkers' at the speed. */
+  jerk: number[];
+  /** How much the hips had to give way for the knees, root mean square, metres. */
+  raise: number;
 }
 
 function look(recipe: Recipe, shape: GaitShape): Look | null {
-  const { clip, contacts } = renderScore(
+  const { clip, contacts, raise } = renderWorkings(
     straightScore({
       name: "fit",
       seed: 1,
@@ -95,7 +107,7 @@ function look(recipe: Recipe, shape: GaitShape): Look | null {
         pace: { ...recipe.pace, noise: 0.3 },
         shape,
       },
-      steps: 8,
+      steps: 12,
     }),
   );
   const gait = measureGait(clip, contacts);
@@ -138,9 +150,33 @@ function look(recipe: Recipe, shape: GaitShape): Look | null {
   );
   const nothing = { tasks: [] } as unknown as Plan;
   const level = new Float64Array(clip.frames);
+  const pace = paceOf(points.root, points.yaw, clip.frames, 60);
+  const going = steadyFrames(pace, 60);
+  let speed = 0;
+  let count = 0;
+  let given = 0;
+  for (let f = 0; f < clip.frames; f++) {
+    if (!going[f]) continue;
+    speed += pace.speeds[f];
+    given += raise[f] ** 2;
+    count++;
+  }
+  const leg = clip.skeleton.legLength - clip.skeleton.foot.ankleHeight;
+  const jerk = jerkRatios(
+    points.joints,
+    clip.frames,
+    60,
+    leg,
+    recipe.run ? "run" : "walk",
+    speed / Math.max(1, count),
+    (f) => going[f] === 1,
+  );
+  if (!jerk) return null;
   return {
     gait,
     turning,
+    jerk: [...jerk.values()],
+    raise: Math.sqrt(given / Math.max(1, count)),
     balance: balanceShares(points, clip.skeleton, nothing, [], [level, level]).near ?? 0,
   };
 }
@@ -163,6 +199,9 @@ function residuals(recipe: Recipe, shape: GaitShape, x: Float64Array): number[] 
   out.push((0.8 * Math.min(0, 100 * f.tipClearance - target.swing_min_tip_clearance_cm.mean)) / 0.3);
   out.push((0.3 * (100 * f.toeLift - target.swing_max_toe_joint_lift_cm.mean)) / 1.5);
   for (const t of seen.turning) out.push(1.5 * Math.max(0, t - 1));
+  for (const j of seen.jerk)
+    out.push(JERK_WEIGHT * Math.log(Math.max(1, j / (LIKE_REAL * (recipe.jerk ?? 1)))));
+  out.push(0.5 * (seen.raise / 0.003));
   if (!recipe.run) out.push(8 * Math.max(0, (recipe.balance ?? 0.9) - seen.balance));
   const rough = (keys: readonly number[], scale: number, period: boolean) => {
     const n = keys.length;
@@ -218,7 +257,7 @@ function report(recipe: Recipe, shape: GaitShape): string {
     return `${joint} ${s.once.toFixed(2)}/${s.twice.toFixed(2)} rms ${s.rms.toFixed(1)}`;
   });
   const f = seen.gait.facts;
-  return `${rows.join(", ")}; turning ${seen.turning.map((t) => t.toFixed(2)).join(" ")}; balance ${seen.balance.toFixed(2)}; vertical ${(100 * f.pelvisVertical).toFixed(1)}, lateral ${(100 * f.pelvisLateral).toFixed(1)}, clearance ${(100 * f.tipClearance).toFixed(1)}, toe lift ${(100 * f.toeLift).toFixed(1)}, stance ${f.stance.toFixed(2)}`;
+  return `${rows.join(", ")}; turning ${seen.turning.map((t) => t.toFixed(2)).join(" ")}; balance ${seen.balance.toFixed(2)}; vertical ${(100 * f.pelvisVertical).toFixed(1)}, lateral ${(100 * f.pelvisLateral).toFixed(1)}, clearance ${(100 * f.tipClearance).toFixed(1)}, toe lift ${(100 * f.toeLift).toFixed(1)}, raise ${(1000 * seen.raise).toFixed(1)} mm, jerk ${seen.jerk.map((j) => j.toFixed(2)).join(" ")}, stance ${f.stance.toFixed(2)}`;
 }
 
 export async function main(args: string[]): Promise<number> {
@@ -228,7 +267,7 @@ export async function main(args: string[]): Promise<number> {
     return 2;
   }
   const rounds = Number(args[1] ?? 10);
-  const slots = slotsOf(recipe.start);
+  const slots = slotsOf(recipe.start, recipe.run ?? false);
   let x = new Float64Array(slots.length);
   let r = residuals(recipe, recipe.start, x);
   if (!r) throw new Error("The start has no steady cycle.");

@@ -14,6 +14,8 @@ export interface Recipe {
   balance?: number;
   /** Least standard deviation that a curve is judged by, degrees. */
   softness?: number;
+  /** Jerk of the group's own captures over the median at their speed, where it is another. */
+  jerk?: number;
   /** Changes a group's averages to another speed. */
   change?: (real: RealGait) => RealGait;
 }
@@ -43,11 +45,19 @@ export const RECIPES: Record<string, Recipe> = {
     pace: { length: 0.7047, time: 0.4935, stance: 0.6067, width: 0.0938, toeOut: 0.2061 },
     start: BOUNCING,
     balance: 0.75,
+    jerk: 1.36,
   },
   jog: {
     group: "bandai-1/run/happy",
     pace: { length: 0.7213, time: 0.3835, stance: 0.4772, width: 0.06, toeOut: 0.0838 },
     start: runs[0],
+    run: true,
+  },
+  easyRun: {
+    group: "bandai-1/run/normal-loop",
+    pace: { length: 1.0, time: 0.3835, stance: 0.37, width: 0.06, toeOut: 0.1 },
+    start: runs[1],
+    softness: 3,
     run: true,
   },
   run: {

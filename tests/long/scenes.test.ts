@@ -19,6 +19,7 @@ const GOALS: [string, (q: ReturnType<typeof measureMotion>) => boolean][] = [
   ["popping <= 1.5", (q) => (q.popping ?? 0) <= 1.5],
   ["popping per joint <= 1.75", (q) => (q.poppingOwn ?? 0) <= 1.75],
   ["no missed plants", (q) => q.missedPlants === 0],
+  ["jerk 0.7 to 1.4", (q) => q.jerk !== null && q.jerk >= 0.7 && q.jerk <= 1.4],
   ["balance within 5 cm >= 0.69", (q) => (q.balanceWithin50mm ?? 1) >= 0.69],
 ];
 const SHARE = 0.95;

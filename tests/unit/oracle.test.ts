@@ -143,7 +143,8 @@ describe("the oracle", () => {
       sources.map((s) => s.track),
     );
     expect(ranked[0].motion).not.toBe(0);
-    expect(ranked[ranked.length - 1].motion).toBe(0);
+    // What it was trained on it knows; of other motions at most somebody who stands as still.
+    for (const r of ranked) if (r.motion === 0) expect(r.foreign).toBeLessThan(1e-6);
     for (let i = 1; i < ranked.length; i++)
       expect(ranked[i].foreign).toBeLessThanOrEqual(ranked[i - 1].foreign);
   });

@@ -28,17 +28,31 @@ export function readKeys(keys: readonly number[], u: number): number {
   return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
 }
 
-/** Like readKeys over a period: the keys repeat. */
-export function readPeriodic(keys: readonly number[], u: number): number {
+/** A smooth periodic curve: its mean, then cosine and sine parts of its first harmonics. */
+export type Harmonics = readonly number[];
+
+/** The first harmonics of the curve that has these values at even distances over its period; at most (keys - 1) / 2. */
+export function harmonicsOf(keys: readonly number[], count: number): Harmonics {
   const n = keys.length;
-  const f = (u - Math.floor(u)) * n;
-  const i = Math.floor(f) % n;
-  const t = f - Math.floor(f);
-  const a = keys[(i + n - 1) % n];
-  const b = keys[i];
-  const c = keys[(i + 1) % n];
-  const d = keys[(i + 2) % n];
-  return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
+  const out = [keys.reduce((a, b) => a + b, 0) / n];
+  for (let h = 1; h <= count; h++) {
+    let c = 0;
+    let s = 0;
+    keys.forEach((k, i) => {
+      c += (2 / n) * k * Math.cos((2 * Math.PI * h * i) / n);
+      s += (2 / n) * k * Math.sin((2 * Math.PI * h * i) / n);
+    });
+    out.push(c, s);
+  }
+  return out;
+}
+
+/** Value at `u` periods. */
+export function readHarmonics(curve: Harmonics, u: number): number {
+  let out = curve[0];
+  for (let h = 1; 2 * h < curve.length; h++)
+    out += curve[2 * h - 1] * Math.cos(2 * Math.PI * h * u) + curve[2 * h] * Math.sin(2 * Math.PI * h * u);
+  return out;
 }
 
 /** Piecewise cubic through (times, values) that never overshoots [Fritsch and Carlson 1980]; ends are held. */

@@ -82,11 +82,24 @@ export function poppingOf(rotations: Float64Array, frames: number, kind: MotionK
  * Jerk of the effectors over that of real captures of the kind at the same speed: the geometric mean of their ratios, 1 like
  * real ones, under it too smooth. Where the feet stand still only what moves is judged: hands, head and hips.
  *
- * @param joints world places, frames x JOINT_COUNT x 3, metres, at `rate`.
- * @param steady frames that count; null for all but the first and last tenth of a second.
  * @returns null when fewer than a third of a second counts.
  */
-export function jerkRatio(
+export function jerkRatio(...of: Parameters<typeof jerkRatios>): number | null {
+  const ratios = jerkRatios(...of);
+  if (!ratios) return null;
+  const judged = [...ratios.values()];
+  return Math.exp(judged.reduce((sum, r) => sum + Math.log(Math.max(r, 1e-9)), 0) / judged.length);
+}
+
+/**
+ * The ratios that `jerkRatio` is the mean of, by effector.
+ *
+ * @param joints world places, frames x JOINT_COUNT x 3, metres, at `rate`.
+ * @param legLength hip to ankle, metres.
+ * @param speed of the hips, metres a second.
+ * @param steady frames that count; null for all but the first and last tenth of a second.
+ */
+export function jerkRatios(
   joints: Float64Array,
   frames: number,
   rate: number,
@@ -94,14 +107,13 @@ export function jerkRatio(
   kind: MotionKind,
   speed: number,
   steady: ((frame: number) => boolean) | null = null,
-): number | null {
+): Map<(typeof JERK_EFFECTORS)[number], number> | null {
   const edge = Math.round(0.1 * rate);
   const { median, bySpeed } = REAL_JERK[kind];
   const atSpeed = bySpeed ? Math.exp(bySpeed[0] + bySpeed[1] * Math.log(Math.max(speed, 0.2))) : 1;
   const track = new Float64Array(frames);
   const jerk = new Float64Array(frames);
-  let sum = 0;
-  let count = 0;
+  const out = new Map<(typeof JERK_EFFECTORS)[number], number>();
   for (const [e, name] of JERK_EFFECTORS.entries()) {
     if (kind === "stand" && !FREE[e]) continue;
     const squares = new Float64Array(frames);
@@ -119,9 +131,7 @@ export function jerkRatio(
       n++;
     }
     if (n < rate / 3) return null;
-    const rms = Math.sqrt(mean / n) / legLength;
-    sum += Math.log(Math.max(rms / (median[e] * atSpeed), 1e-9));
-    count++;
+    out.set(name, Math.sqrt(mean / n) / legLength / (median[e] * atSpeed));
   }
-  return Math.exp(sum / count);
+  return out;
 }

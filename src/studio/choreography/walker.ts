@@ -18,6 +18,7 @@ import { pivotPlace } from "../../core/motion/sole.ts";
 import { createSkeleton, type Skeleton } from "../../core/skeleton/skeleton.ts";
 import { CATEGORY_DEFAULTS } from "../../core/steps/categories.ts";
 import type { Foot } from "../../core/steps/types.ts";
+import { shortStep } from "../pace.ts";
 import {
   type Actor,
   type Pace,
@@ -104,15 +105,20 @@ export function standingPair(at: GroundPose, scale: number): Record<Foot, Ground
 export const middle = (w: Walker): GroundPose => midPose(w.feet.left, w.feet.right);
 
 /** Seconds in the air and of double support before it (negative: of flight), of a kind of step at the walker's pace. */
-function timesOf(w: Walker, kind: StepKind): readonly [number, number] {
-  if (!w.pace || (kind !== "walk" && kind !== "run")) return TIMES[kind];
-  const air = 2 * w.pace.time * (1 - w.pace.stance);
-  return [air, w.pace.time - air];
+function timesOf(w: Walker, kind: StepKind, foot: Foot, to: GroundPose): readonly [number, number] {
+  if (w.pace && (kind === "walk" || kind === "run")) {
+    const air = 2 * w.pace.time * (1 - w.pace.stance);
+    return [air, w.pace.time - air];
+  }
+  if (kind !== "walk") return TIMES[kind];
+  const { time, stance } = shortStep(toLocal(w.feet[other(foot)], to).z / w.scale);
+  const air = 2 * time * (1 - stance);
+  return [air, time - air];
 }
 
 /** Lays a step after the last one. */
 export function step(w: Walker, foot: Foot, kind: StepKind, to: GroundPose, slow = 1): ScoreStep {
-  const [air, support] = timesOf(w, kind);
+  const [air, support] = timesOf(w, kind, foot, to);
   const vary = 1 + 0.025 * (w.pace?.noise ?? 1) * w.random.normal();
   const pace = Math.sqrt(w.scale) * slow * (w.carrying ? 1.06 : 1) * vary;
   const pivot = kind === "heelPivot" || kind === "toePivot";
@@ -226,13 +232,15 @@ export function walkTo(w: Walker, target: { x: number; z: number }, last: Foot |
     : wrapAngle(course - from.yaw) > 0.08
       ? "left"
       : "right";
-  let n = Math.max(1, Math.round(distance / length + 0.25));
+  // Nobody lunges through a room: a step more rather than one that the hips have to sink for.
+  const longest = 0.69 * w.scale;
+  let n = Math.max(1, Math.round(distance / length + 0.25), Math.ceil(distance / longest));
   if (last) {
     const ends = (k: number) => (k % 2 === 1 ? firstFoot : other(firstFoot));
     if (ends(n) !== last) {
       const more = distance / (n + 1);
       const less = n > 1 ? distance / (n - 1) : Number.POSITIVE_INFINITY;
-      n = less < 0.74 * w.scale && Math.abs(less - length) < Math.abs(more - length) ? n - 1 : n + 1;
+      n = less < longest && Math.abs(less - length) < Math.abs(more - length) ? n - 1 : n + 1;
     }
   }
   // A first step from standing is shorter, and so is the last.

@@ -6,8 +6,9 @@ import { CLIP_RATE } from "../../core/capture/clip.ts";
 import { wrapAngle } from "../../core/math/angle.ts";
 import {
   gaussian,
+  harmonicsOf,
   minimumJerk,
-  readPeriodic,
+  readHarmonics,
   smoothstep,
   unit,
   unwrap,
@@ -50,6 +51,9 @@ export interface ArmAngles {
   elbow: Float64Array;
 }
 
+/** Harmonics of a step that the hips' height has: what is above them, some 8 Hz, is no walker's but the keys'. */
+const HEIGHT_HARMONICS = 4;
+
 /** Standing: a little under full length. */
 const STANDING_HEIGHT = 0.9945;
 
@@ -80,6 +84,7 @@ export function renderBody(
   const scale = skeleton.height / 1.75;
   const shape = shapeOf(score.actor);
   const mood = moodOf(score.actor);
+  const heights = harmonicsOf(shape.heights, HEIGHT_HARMONICS);
   // Facing: the mean of the feet, smooth; chest and head lead it.
   const facing = make();
   // Each foot's own turning is continuous; their mean then never jumps, however far apart they point.
@@ -126,7 +131,7 @@ export function renderBody(
     }
     // Two half cycles a cycle: the phase counts from left strikes, half cycles from any.
     const half = w / Math.PI;
-    const walking = readPeriodic(shape.heights, half);
+    const walking = readHarmonics(heights, half);
     const k = Math.min(1, e * 1.05);
     b.hipHeight[f] =
       leg * (STANDING_HEIGHT + k * (walking - STANDING_HEIGHT)) -
@@ -246,7 +251,7 @@ function alive(b: BodyAngles, score: Score, gait: Gait, frames: number): void {
       if (f >= frames) break;
       const t = f / CLIP_RATE - time;
       const e = gait.amount[f];
-      const ring = 0.6 * e * Math.exp(-t / 0.07) * Math.sin(2 * Math.PI * 6.5 * t) * smoothstep(t / 0.02);
+      const ring = 0.25 * e * Math.exp(-t / 0.07) * Math.sin(2 * Math.PI * 6.5 * t) * smoothstep(t / 0.02);
       b.hipHeight[f] -= 0.0032 * ring;
       b.chestPitch[f] += 0.9 * DEG * ring;
       if (f + 2 < frames) b.headPitch[f + 2] += 0.5 * DEG * ring;

@@ -45,6 +45,8 @@ interface Move extends ScoreStep {
   from: ScoreStance;
   /** Distance, leg lengths. */
   reach: number;
+  /** How much of a full step's roll and rise it has, 0 to 1; the push after the actor's mood. */
+  whole: number;
   push: number;
   strike: number;
 }
@@ -66,13 +68,13 @@ function movesOf(score: Score, foot: Foot, leg: number, gait: GaitShape, mood: M
         wrapAngle(Math.atan2(s.x - from.x, s.z - from.z) - from.yaw - wrapAngle(s.yaw - from.yaw) / 2),
       );
       const forwardness = reach < 0.05 ? 0 : smoothstep((ahead + 0.2) / 0.9);
+      const whole = (0.3 + 0.7 * size) * (0.35 + 0.65 * forwardness) * (1 - 0.25 * unit(turn / 1.2));
       const move: Move = {
         ...s,
         from,
         reach,
-        push: isWalk(s)
-          ? mood.push * (0.3 + 0.7 * size) * (0.35 + 0.65 * forwardness) * (1 - 0.25 * unit(turn / 1.2))
-          : 0.28 + 0.25 * unit(reach / 0.6),
+        whole,
+        push: isWalk(s) ? mood.push * whole : 0.28 + 0.25 * unit(reach / 0.6),
         strike: isWalk(s)
           ? mood.strike * (0.1 + 0.9 * size * size) * forwardness * (1 - 0.6 * unit(turn / 1.2))
           : 0,
@@ -255,7 +257,8 @@ function swing(track: FootTrack, m: Move, skeleton: Skeleton, gait: GaitShape, m
   const v1 = walk
     ? [0.25 * forward[0] * m.strike, -0.2 * scale, 0.25 * forward[2] * m.strike]
     : [0, -0.22 * scale, 0];
-  const size = walk ? 0.35 + 0.65 * unit(m.reach / gait.full) : 0;
+  // The fitted rise belongs to the ankle that a full push leaves high behind: with less of a push there is less of it.
+  const size = walk ? m.whole : 0;
   const hump = walk ? 0.06 * (1 - size) + mood.lift : 0.062;
   const turn = wrapAngle(m.yaw - m.from.yaw);
   const rawSpeed = (at: 0 | 1) => {

@@ -2,8 +2,10 @@
  * Flight: while no foot is down the centre of mass falls freely; while one is, it follows the gait's own rise and fall.
  *
  * The height that the posed body has is the wish; the height answered is the nearest one, in the least-squares sense,
- * whose acceleration is -g wherever the body is unsupported, that of a half-sine push on the ground between two flights
- * (its size from the momentum that the flights take), and as smooth as the wish elsewhere.
+ * whose acceleration is -g wherever the body is unsupported, that of a push on the ground between two flights (its size from the
+ * momentum that the flights take), and as smooth as the wish elsewhere. The push is half a sine that comes early: runners brake
+ * harder than they push off, and so land lower, on a bent knee, than they leave the ground [Cavagna 2006, the landing-take-off
+ * asymmetry in human running].
  */
 import { CLIP_RATE } from "../../core/capture/clip.ts";
 import { unit } from "../../core/math/interpolate.ts";
@@ -36,15 +38,16 @@ export function flightFrames(feet: readonly [FootTrack, FootTrack], frames: numb
  * Height of the centre of mass that falls freely in flight and stays near the wish.
  *
  * @param wish height a frame, metres. @param flight from `flightFrames`.
+ * @param early power of time within a stance whose half sine the push is: 1 even, less early.
  * @returns height a frame, metres.
  */
-export function ballisticHeight(wish: Float64Array, flight: Uint8Array): Float64Array {
+export function ballisticHeight(wish: Float64Array, flight: Uint8Array, early: number): Float64Array {
   const n = wish.length;
   const fall = -G / (CLIP_RATE * CLIP_RATE);
   // Normal equations of a pentadiagonal least-squares problem: rows d2 y = target, weight w.
   const band = new Float64Array(3 * n);
   const right = new Float64Array(n);
-  const push = pushes(flight);
+  const push = pushes(flight, early);
   for (let f = 0; f < n; f++) {
     const w = flight[f] ? 0 : FOLLOW;
     band[3 * f] += w + 1e-6;
@@ -71,7 +74,7 @@ export function ballisticHeight(wish: Float64Array, flight: Uint8Array): Float64
 }
 
 /** Force on the ground over the body's weight in each stance between two flights, a half sine, and how surely; 0 elsewhere. */
-function pushes(flight: Uint8Array): { force: Float64Array; weight: Float64Array } {
+function pushes(flight: Uint8Array, early: number): { force: Float64Array; weight: Float64Array } {
   const n = flight.length;
   const out = { force: new Float64Array(n), weight: new Float64Array(n) };
   const lengthFrom = (f: number, by: 1 | -1): number => {
@@ -87,13 +90,15 @@ function pushes(flight: Uint8Array): { force: Float64Array; weight: Float64Array
     // Longer than a runner's stance: he has stopped.
     if (e < n && stance < 0.6 * CLIP_RATE) {
       const carried = stance + (lengthFrom(f - 1, -1) + lengthFrom(e, 1)) / 2;
-      const top = (Math.PI / 2) * (carried / stance);
       // A short hop says little about the push; a flight says it all.
       const sure = unit((carried - stance) / LONG_FLIGHT);
+      let sum = 0;
       for (let k = f; k < e; k++) {
-        out.force[k] = top * Math.sin((Math.PI * (k - f + 0.5)) / stance);
+        out.force[k] = Math.sin(Math.PI * ((k - f + 0.5) / stance) ** early);
         out.weight[k] = SMOOTH + sure * sure * (PUSH - SMOOTH);
+        sum += out.force[k];
       }
+      for (let k = f; k < e; k++) out.force[k] *= carried / sum;
     }
     f = e - 1;
   }

@@ -19,7 +19,7 @@ import { boundToes, clearanceAt, type FootTrack, lowestOfFoot } from "./feet.ts"
 const SPANS = [1, 2];
 const SPAN = 2;
 const WIDTH = 2 * SPAN + 1;
-/** Knee's angular acceleration that is left alone, radians per second squared (walkers: 240, runners: 310 at the 99.9th percentile). */
+/** Knee's angular acceleration that is left alone, radians per second squared (walkers: 240, runners: 400 at the 99.9th percentile). */
 const CALM = 170;
 const LEAST = (3 * Math.PI) / 180;
 /** Weights, one over a tolerance: an airborne knee's change, a knee's acceleration (radians per second squared), the hips' change and its second difference. */
