@@ -1,9 +1,17 @@
 /** The discretised actions of a state [Footsteps §4, generating discretised footstep actions], each made into a step. */
 import { arcTangent, cosine, sine } from "./elementary.ts";
 import { surfaceCost } from "./ground.ts";
-import { createFootstep, createShift, createStart, createStop } from "./locomotion.ts";
+import {
+  ACTION,
+  action,
+  createShift,
+  createStart,
+  createStop,
+  footCouldPoint,
+  weighFootstep,
+} from "./locomotion.ts";
 import { keepNext, type Planner, type Search } from "./planner.ts";
-import { S, STATE, STEP } from "./state.ts";
+import { P, S, STATE, STEP } from "./state.ts";
 
 const degrees = (values: number[]): number[] => values.map((d) => (d * Math.PI) / 180);
 /** Turns of the parabola from the motion: from almost straight to almost a U-turn. */
@@ -48,10 +56,16 @@ export function expand(p: Planner, search: Search, node: number, gx: number, gz:
 /** Keeps the step just made unless it is impossible. */
 function keep(p: Planner, search: Search, node: number, energy: number, twist: number): void {
   if (energy < 0) return;
-  const o = p.nodes * STATE;
-  const floor = search.ground.surface === null ? 1 : surfaceCost(search.ground, p.states[o], p.states[o + 1]);
-  keepNext(p, search, node, energy * floor, twist);
+  p.cost[p.nodes] = energy * floorCost(p, search);
+  p.twist[p.nodes] = twist;
+  keepNext(p, search, node, true);
 }
+
+/** What the floor adds where the step just made leads to. */
+const floorCost = (p: Planner, search: Search): number => {
+  const o = p.nodes * STATE;
+  return search.ground.surface === null ? 1 : surfaceCost(search.ground, p.states[o], p.states[o + 1]);
+};
 
 function expandWalk(
   p: Planner,
@@ -74,29 +88,26 @@ function expandWalk(
     if (t < 0 && (sin < TURN_SIN[0] || cos < 0.35)) continue;
     const theta = t < 0 ? arcTangent(sin, cos) : TURNS[t];
     if (theta > gait.mostTurn) continue;
+    if (!footCouldPoint(p.states, o, theta, gait)) continue;
     const c = t < 0 ? cos : TURN_COS[t];
-    const s = t < 0 ? sin : TURN_SIN[t];
+    action[ACTION.theta] = theta;
+    action[ACTION.cos] = c;
+    action[ACTION.sin] = t < 0 ? sin : TURN_SIN[t];
     for (let v = 0; v < PACES.length; v++) {
       const pace = search.speed * PACES[v] * gait.pace[foot];
       if (pace > speed + FASTER || pace < speed - SLOWER) continue;
       // Sharp turns are taken slowly.
       if (c < 0.8 && v === 0) continue;
-      const to = p.nodes;
-      const energy = createFootstep(
-        p.states,
-        to * STATE,
-        p.steps,
-        to * STEP,
-        p.states,
-        o,
-        theta,
-        c,
-        s,
-        pace,
-        v === 0 ? gait.quick[foot] : gait.slow[foot],
-        gait,
-      );
-      keep(p, search, node, energy, v === PACES.length - 1 ? SQUEEZE_COST : 0);
+      action[ACTION.speed] = pace;
+      action[ACTION.duration] = v === 0 ? gait.quick[foot] : gait.slow[foot];
+      const { nodes } = p;
+      const q = nodes * STEP;
+      if (!weighFootstep(p.states, nodes * STATE, p.steps, q, p.states, o, gait)) continue;
+      p.cost[nodes] =
+        (p.steps[q + P.fixedEnergy] + p.steps[q + P.speedEnergy] + p.steps[q + P.bendEnergy]) *
+        floorCost(p, search);
+      p.twist[nodes] = v === PACES.length - 1 ? SQUEEZE_COST : 0;
+      keepNext(p, search, node, false);
     }
   }
 }

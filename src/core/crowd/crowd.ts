@@ -315,7 +315,7 @@ function wayOf(crowd: Crowd, i: number, time: number): LongWay {
     if (person.way.bent || before) crowd.cellsLeft -= TICK_CELLS / 3;
     person.waySince = time;
   }
-  ahead(local, ground, person.way, x, z);
+  ahead(local, ground, person.way, states, i * STATE);
   if (local[2] < person.progress - 0.3) {
     person.progress = local[2];
     person.progressAt = time;

@@ -37,6 +37,8 @@ const CLEAR = 0.36;
 const TIGHT = 0.2;
 /** With half a cell's diagonal more, no wall is near anywhere in a cell, whatever way a body faces and wherever its foot is. */
 const OPEN = 0.45;
+/** Steps that lead no farther than this need not be looked at one moment after the other where no wall is near all around. */
+export const ROAM = 0.8;
 /** Endless walls must not make an endless grid: they count this far beyond those who walk and their goals, metres. */
 const BEYOND = 30;
 
@@ -129,16 +131,20 @@ export function createGround(world: CrowdWorld): Ground {
     ground.flat.set([o.x, o.z, o.halfX, o.halfZ, o.cos, o.sin, o.round ? 1 : 0], i * OBSTACLE);
   });
   sortObstacles(ground);
+  const centre = new Float64Array(2);
   for (let k = 0; k < rows; k++)
     for (let i = 0; i < columns; i++) {
       const x = x0 + (i + 0.5) * cell;
       const z = z0 + (k + 0.5) * cell;
-      const gap = nearestGap(ground, x, z);
-      // 3: no wall near, 2: with room to spare, 1: narrow, 0: no.
+      centre[0] = x;
+      centre[1] = z;
+      const gap = nearestGap(ground, centre, 0);
+      // 4: nor anywhere around, 3: no wall near, 2: with room to spare, 1: narrow, 0: no.
       const level = gap >= OPEN + 0.71 * cell ? 3 : gap >= CLEAR ? 2 : gap >= TIGHT ? 1 : 0;
       ground.free[k * columns + i] = level;
       if (ground.surface) ground.surface[k * columns + i] = surfaceOf(surfaces, x, z);
     }
+  markRoam(ground);
   return ground;
 }
 
@@ -175,8 +181,10 @@ function sortObstacles(g: Ground): void {
   });
 }
 
-/** Distance to the nearest obstacle within about a metre, else 1. */
-export function nearestGap(g: Ground, x: number, z: number): number {
+/** Distance from the point at `i` in `places` to the nearest obstacle within about a metre, else 1. */
+export function nearestGap(g: Ground, places: Float64Array, i: number): number {
+  const x = places[i];
+  const z = places[i + 1];
   const a = Math.floor((x - g.lookX0) / LOOKUP);
   const b = Math.floor((z - g.lookZ0) / LOOKUP);
   if (a < 0 || b < 0 || a >= g.lookColumns || b >= g.lookRows) return 1;
@@ -212,7 +220,30 @@ export function cellOf(ground: Ground, x: number, z: number): number {
 /** Whether no wall is near a point: then nothing more need be measured. */
 export function farFromWalls(ground: Ground, x: number, z: number): boolean {
   const c = cellOf(ground, x, z);
-  return c >= 0 && ground.free[c] === 3;
+  return c >= 0 && ground.free[c] >= 3;
+}
+
+/** Whether no wall is near anywhere within ROAM of a point. */
+export function roamsFree(ground: Ground, x: number, z: number): boolean {
+  const c = cellOf(ground, x, z);
+  return c >= 0 && ground.free[c] === 4;
+}
+
+/** Marks the cells from which all others within ROAM are far from walls, beyond the grid none: row by row, then column by column. */
+function markRoam(ground: Ground): void {
+  const { columns, rows, free } = ground;
+  const r = Math.floor(ROAM / ground.cell) + 1;
+  const inRow = new Uint8Array(columns * rows);
+  for (let k = 0; k < rows; k++)
+    for (let i = 0, run = 0; i < columns; i++) {
+      run = free[k * columns + i] === 3 ? run + 1 : 0;
+      if (run > 2 * r) inRow[k * columns + i - r] = 1;
+    }
+  for (let i = 0; i < columns; i++)
+    for (let k = 0, run = 0; k < rows; k++) {
+      run = inRow[k * columns + i] === 1 ? run + 1 : 0;
+      if (run > 2 * r) free[(k - r) * columns + i] = 4;
+    }
 }
 
 /** Energy of a step at a point over that on plain floor. */

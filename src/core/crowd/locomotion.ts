@@ -43,8 +43,47 @@ export function createFootstep(
   duration: number,
   gait: Gait,
 ): number {
-  if (!nextYawInterval(interval, s[i + S.inner], s[i + S.outer], s[i + S.theta], theta, gait.yawRange))
-    return -1;
+  if (!footCouldPoint(s, i, theta, gait)) return -1;
+  action[ACTION.theta] = theta;
+  action[ACTION.cos] = turnCos;
+  action[ACTION.sin] = turnSin;
+  action[ACTION.speed] = speed;
+  action[ACTION.duration] = duration;
+  if (!weighFootstep(out, o, steps, p, s, i, gait)) return -1;
+  finishFootstep(out, o, steps, p, s, i, gait);
+  return steps[p + P.fixedEnergy] + steps[p + P.speedEnergy] + steps[p + P.bendEnergy];
+}
+
+/** Whether a foot that leads to a parabola turned by `theta` could point anywhere [Footsteps eq. 12]. */
+export const footCouldPoint = (s: Float64Array, i: number, theta: number, gait: Gait): boolean =>
+  nextYawInterval(interval, s[i + S.inner], s[i + S.outer], s[i + S.theta], theta, gait.yawRange);
+
+/**
+ * The action that `weighFootstep` weighs: angle of the parabola to the motion, its cosine and sine, speed, time. Numbers that are
+ * handed over in an array cost no memory: this is done for hundreds of footsteps a plan.
+ */
+export const action = new Float64Array(5);
+export const ACTION = { theta: 0, cos: 1, sin: 2, speed: 3, duration: 4 } as const;
+
+/**
+ * The part of `createFootstep` that a footstep's worth depends on: where it leads to and its energies. Most footsteps that are thought
+ * of are never looked at; `finishFootstep` adds the rest to those that are.
+ *
+ * @returns false when the foot would be out of reach.
+ */
+export function weighFootstep(
+  out: Float64Array,
+  o: number,
+  steps: Float64Array,
+  p: number,
+  s: Float64Array,
+  i: number,
+  gait: Gait,
+): boolean {
+  const turnCos = action[ACTION.cos];
+  const turnSin = action[ACTION.sin];
+  const speed = action[ACTION.speed];
+  const duration = action[ACTION.duration];
   const side = s[i + S.side];
   const ux = s[i + S.ux];
   const uz = s[i + S.uz];
@@ -63,19 +102,49 @@ export function createFootstep(
   const fx = footX - s[i + S.footX];
   const fz = footZ - s[i + S.footZ];
   const apart2 = fx * fx + fz * fz;
-  if (apart2 > gait.strideMost * gait.strideMost) return -1;
-  steps[p + P.kind] = KIND.walk;
-  steps[p + P.start] = s[i + S.time];
+  if (apart2 > gait.strideMost * gait.strideMost) return false;
+  const kept = s[i + S.speed] * (1 - 2 * Math.min(0.5, apart2 / (4 * gait.leg * gait.leg)));
   steps[p + P.duration] = duration;
-  steps[p + P.x] = x;
-  steps[p + P.z] = z;
   steps[p + P.px] = px;
   steps[p + P.pz] = pz;
   steps[p + P.along] = along;
   steps[p + P.toFoot] = toFoot;
+  steps[p + P.theta] = action[ACTION.theta];
+  steps[p + P.fixedEnergy] = gait.power * duration;
+  steps[p + P.speedEnergy] = 0.5 * Math.abs(speed * speed - kept * kept);
+  steps[p + P.bendEnergy] = gait.bend * alpha * speed * duration;
+  out[o + S.x] = x + px * along * duration;
+  out[o + S.z] = z + pz * along * duration;
+  out[o + S.ux] = turnCos * px - side * turnSin * pz;
+  out[o + S.uz] = turnCos * pz + side * turnSin * px;
+  out[o + S.speed] = speed;
+  out[o + S.footX] = footX;
+  out[o + S.footZ] = footZ;
+  return true;
+}
+
+/** Adds to a footstep that was weighed all else that its step and the state at its end say. */
+export function finishFootstep(
+  out: Float64Array,
+  o: number,
+  steps: Float64Array,
+  p: number,
+  s: Float64Array,
+  i: number,
+  gait: Gait,
+): void {
+  const theta = steps[p + P.theta];
+  footCouldPoint(s, i, theta, gait);
+  const side = s[i + S.side];
+  const px = steps[p + P.px];
+  const pz = steps[p + P.pz];
+  steps[p + P.kind] = KIND.walk;
+  steps[p + P.start] = s[i + S.time];
+  steps[p + P.x] = s[i + S.x];
+  steps[p + P.z] = s[i + S.z];
   steps[p + P.side] = side;
-  steps[p + P.footX] = footX;
-  steps[p + P.footZ] = footZ;
+  steps[p + P.footX] = out[o + S.footX];
+  steps[p + P.footZ] = out[o + S.footZ];
   steps[p + P.fromX] = s[i + S.faceX];
   steps[p + P.fromZ] = s[i + S.faceZ];
   steps[p + P.toX] = px;
@@ -86,32 +155,17 @@ export function createFootstep(
   steps[p + P.headZ] = pz;
   steps[p + P.inner] = interval[0];
   steps[p + P.outer] = interval[1];
-  steps[p + P.theta] = theta;
   steps[p + P.yaw] = interval[0];
-  out[o + S.x] = x + px * along * duration;
-  out[o + S.z] = z + pz * along * duration;
-  out[o + S.ux] = turnCos * px - side * turnSin * pz;
-  out[o + S.uz] = turnCos * pz + side * turnSin * px;
-  out[o + S.speed] = speed;
+  steps[p + P.nearness] = 0;
   out[o + S.side] = -side;
-  out[o + S.footX] = footX;
-  out[o + S.footZ] = footZ;
   out[o + S.faceX] = px;
   out[o + S.faceZ] = pz;
   out[o + S.headX] = px;
   out[o + S.headZ] = pz;
-  out[o + S.time] = s[i + S.time] + duration;
+  out[o + S.time] = s[i + S.time] + steps[p + P.duration];
   out[o + S.theta] = theta;
   out[o + S.inner] = interval[0];
   out[o + S.outer] = interval[1];
-  const kept = s[i + S.speed] * (1 - 2 * Math.min(0.5, apart2 / (4 * gait.leg * gait.leg)));
-  return energy(
-    steps,
-    p,
-    gait.power * duration,
-    0.5 * Math.abs(speed * speed - kept * kept),
-    gait.bend * alpha * speed * duration,
-  );
 }
 
 /** Twists the torso of a step over its feet, to go sideways through a gap: `way` 1 to the left, -1 to the right. */
@@ -324,84 +378,115 @@ export function evaluateStep(
   time: number,
   footAside: number,
 ): void {
-  const t = time > steps[p + P.start] ? time - steps[p + P.start] : 0;
-  const duration = steps[p + P.duration];
-  const within = t < duration ? t : duration;
+  clock[0] = time;
+  stance.footAside = footAside;
+  evaluateMoments(out, o, steps, p, clock, 0, 0, 1, stance);
+}
+
+const clock = new Float64Array(1);
+const stance = { footAside: 0 };
+
+/** Time between moments at which poses are compared, seconds. */
+export const MOMENT = 0.1;
+
+/**
+ * The same at moments `first`, `first + stride`, ... up to `last` after the time in `since`, one after the other into `out`.
+ *
+ * @param gait whose `footAside` is asked for. Numbers that are handed over alone would each be put on the heap.
+ */
+export function evaluateMoments(
+  out: Float64Array,
+  o: number,
+  steps: Float64Array,
+  p: number,
+  since: Float64Array,
+  first: number,
+  last: number,
+  stride: number,
+  gait: { readonly footAside: number },
+): void {
+  const time = since[0];
+  const { footAside } = gait;
   const kind = steps[p + P.kind];
+  const start = steps[p + P.start];
+  const duration = steps[p + P.duration];
+  const startX = steps[p + P.x];
+  const startZ = steps[p + P.z];
   const px = steps[p + P.px];
   const pz = steps[p + P.pz];
   const along = steps[p + P.along];
-  let x = steps[p + P.x];
-  let z = steps[p + P.z];
-  let footX = steps[p + P.footX];
-  let footZ = steps[p + P.footZ];
-  if (kind === KIND.walk || kind === KIND.start) {
-    const side = steps[p + P.side];
-    let vx = px * along;
-    let vz = pz * along;
-    if (kind === KIND.walk) {
-      const toFoot = steps[p + P.toFoot];
-      const aside = (toFoot / duration) * within * (duration - within) * side;
-      x += vx * within + pz * aside;
-      z += vz * within - px * aside;
-      vx -= side * pz * toFoot;
-      vz += side * px * toFoot;
-    } else {
-      const run = (0.5 * along * within * within) / duration;
+  const toFoot = steps[p + P.toFoot];
+  const side = steps[p + P.side];
+  const stepFootX = steps[p + P.footX];
+  const stepFootZ = steps[p + P.footZ];
+  const fromX = steps[p + P.fromX];
+  const fromZ = steps[p + P.fromZ];
+  const toX = steps[p + P.toX];
+  const toZ = steps[p + P.toZ];
+  let at = o;
+  for (let k = first; k <= last; k += stride, at += POSE) {
+    const now = time + k * MOMENT;
+    const t = now > start ? now - start : 0;
+    const within = t < duration ? t : duration;
+    let x = startX;
+    let z = startZ;
+    let footX = stepFootX;
+    let footZ = stepFootZ;
+    if (kind === KIND.walk || kind === KIND.start) {
+      let vx = px * along;
+      let vz = pz * along;
+      if (kind === KIND.walk) {
+        const aside = (toFoot / duration) * within * (duration - within) * side;
+        x += vx * within + pz * aside;
+        z += vz * within - px * aside;
+        vx -= side * pz * toFoot;
+        vz += side * px * toFoot;
+      } else {
+        const run = (0.5 * along * within * within) / duration;
+        x += px * run;
+        z += pz * run;
+      }
+      if (t > within) {
+        // The stop that is always possible: along the motion at the step's end, onto the other foot.
+        const b = t - within < STOP_TIME ? t - within : STOP_TIME;
+        const run = b - (b * b) / (2 * STOP_TIME);
+        footX = x + vx * (STOP_TIME / 2) - side * steps[p + P.headZ] * footAside;
+        footZ = z + vz * (STOP_TIME / 2) + side * steps[p + P.headX] * footAside;
+        x += vx * run;
+        z += vz * run;
+      }
+    } else if (kind === KIND.stop) {
+      const b = t < STOP_TIME ? t : STOP_TIME;
+      const run = along * (b - (b * b) / (2 * STOP_TIME));
+      x += px * run;
+      z += pz * run;
+    } else if (kind === KIND.shift) {
+      const w = within / duration;
+      if (2 * within < duration) {
+        // The other foot still stands where it stood.
+        footX = x - side * steps[p + P.fromHeadZ] * footAside;
+        footZ = z + side * steps[p + P.fromHeadX] * footAside;
+      }
+      const run = along * w * w * (3 - 2 * w);
       x += px * run;
       z += pz * run;
     }
-    if (t > within) {
-      // The stop that is always possible: along the motion at the step's end, onto the other foot.
-      const b = t - within < STOP_TIME ? t - within : STOP_TIME;
-      const run = b - (b * b) / (2 * STOP_TIME);
-      footX = x + vx * (STOP_TIME / 2) - side * steps[p + P.headZ] * footAside;
-      footZ = z + vz * (STOP_TIME / 2) + side * steps[p + P.headX] * footAside;
-      x += vx * run;
-      z += vz * run;
-    }
-  } else if (kind === KIND.stop) {
-    const b = t < STOP_TIME ? t : STOP_TIME;
-    const run = along * (b - (b * b) / (2 * STOP_TIME));
-    x += px * run;
-    z += pz * run;
-  } else if (kind === KIND.shift) {
-    const w = within / duration;
-    if (2 * within < duration) {
-      // The other foot still stands where it stood.
-      const side = steps[p + P.side];
-      footX = x - side * steps[p + P.fromHeadZ] * footAside;
-      footZ = z + side * steps[p + P.fromHeadX] * footAside;
-    }
-    const run = along * w * w * (3 - 2 * w);
-    x += px * run;
-    z += pz * run;
-  }
-  out[o] = x;
-  out[o + 1] = z;
-  out[o + 4] = footX;
-  out[o + 5] = footZ;
-  const w = duration > 0 ? within / duration : 1;
-  const toX = steps[p + P.toX];
-  const toZ = steps[p + P.toZ];
-  if (w >= 1) {
-    out[o + 2] = toX;
-    out[o + 3] = toZ;
-    return;
-  }
-  const s = w * w * (3 - 2 * w);
-  const fromX = steps[p + P.fromX];
-  const fromZ = steps[p + P.fromZ];
-  const fx = fromX + s * (toX - fromX);
-  const fz = fromZ + s * (toZ - fromZ);
-  const n2 = fx * fx + fz * fz;
-  if (n2 > 1e-12) {
+    out[at] = x;
+    out[at + 1] = z;
+    out[at + 4] = footX;
+    out[at + 5] = footZ;
+    const w = duration > 0 ? within / duration : 1;
+    out[at + 2] = toX;
+    out[at + 3] = toZ;
+    if (w >= 1) continue;
+    const s = w * w * (3 - 2 * w);
+    const fx = fromX + s * (toX - fromX);
+    const fz = fromZ + s * (toZ - fromZ);
+    const n2 = fx * fx + fz * fz;
+    if (n2 <= 1e-12) continue;
     const n = Math.sqrt(n2);
-    out[o + 2] = fx / n;
-    out[o + 3] = fz / n;
-  } else {
-    out[o + 2] = toX;
-    out[o + 3] = toZ;
+    out[at + 2] = fx / n;
+    out[at + 3] = fz / n;
   }
 }
 

@@ -217,8 +217,16 @@ export function covers(ground: Ground, way: LongWay, x: number, z: number): bool
   return i >= 0 && k >= 0 && i < ground.columns && k < ground.rows && cornerAt(way.field, i, k) >= 0;
 }
 
-/** Writes the place to head for from a point and the distance still to go: x, z, distance. */
-export function ahead(out: Float64Array, ground: Ground, way: LongWay, x: number, z: number): void {
+/** Writes the place to head for from the point at `at` in `places` and the distance still to go: x, z, distance. */
+export function ahead(
+  out: Float64Array,
+  ground: Ground,
+  way: LongWay,
+  places: Float64Array,
+  at: number,
+): void {
+  const x = places[at];
+  const z = places[at + 1];
   const gx = x - way.goalX;
   const gz = z - way.goalZ;
   out[0] = way.goalX;
@@ -251,9 +259,11 @@ export function ahead(out: Float64Array, ground: Ground, way: LongWay, x: number
 export function wayPoints(ground: Ground, way: LongWay, x: number, z: number): number[] {
   const points = [x, z];
   const next = new Float64Array(3);
+  const here = new Float64Array(2);
   let last = Number.POSITIVE_INFINITY;
   for (let n = 0; n < 64; n++) {
-    ahead(next, ground, way, points[points.length - 2], points[points.length - 1]);
+    here.set(points.slice(-2));
+    ahead(next, ground, way, here, 0);
     if (next[2] >= last) break;
     last = next[2];
     points.push(next[0], next[1]);

@@ -1,5 +1,6 @@
 /** How an agent chose its step, as plain data to draw: the search tree, the path taken, and what each step costs. */
 import { type Crowd, searchAgain, stepsOf } from "./crowd.ts";
+import { wasJudged } from "./planner.ts";
 import { boundAt } from "./sight.ts";
 import { KIND, P, S, STATE, STEP } from "./state.ts";
 import { BODY_RADIUS, FOOT_RADIUS, SHOULDER } from "./types.ts";
@@ -59,7 +60,7 @@ export function tellPlan(crowd: Crowd, agent: number): PlanStory | null {
     story.z.push(p.states[n * STATE + S.z]);
     story.parent.push(p.parent[n]);
     story.f.push(p.f[n]);
-    story.judged.push(p.judged[n] === 1);
+    story.judged.push(wasJudged(p, n));
   }
   for (const n of story.path) {
     const q = n * STEP;

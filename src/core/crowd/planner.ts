@@ -8,8 +8,8 @@
  */
 import { expand } from "./actions.ts";
 import type { Ground } from "./ground.ts";
-import { costOfStep, createOthers, type Others, startJudging } from "./judge.ts";
-import { keepFacing, twistTorso } from "./locomotion.ts";
+import { ALL, createOthers, isFree, nearness, type Others, startJudging } from "./judge.ts";
+import { finishFootstep, keepFacing, twistTorso } from "./locomotion.ts";
 import { ahead, type LongWay } from "./long-way.ts";
 import { KIND, P, S, STATE, STEP } from "./state.ts";
 import type { Gait } from "./types.ts";
@@ -22,6 +22,18 @@ const MOST_NODES = 2400;
 const MOST_CHILDREN = 60;
 /** How much what was spent counts beside what is left, where a search ends early. */
 const SPENT = 0.35;
+/** Nearness is added up until a node is this much worse than the next one open, J/kg: at once it would soon be asked again. */
+const SLACK = 0.3;
+/**
+ * How far a node has come: its step is weighed only, made, judged in part: nearness is being added up (and all else is known to be free),
+ * walls are left; judged.
+ */
+const WEIGHED = 0;
+const UNJUDGED = 1;
+const NEARNESS = 2;
+const NEARNESS_FREE = 3;
+const WALLS = 4;
+const JUDGED = 5;
 
 export interface Planner {
   /** STATE numbers a node; a node's step is what led to it. */
@@ -32,11 +44,16 @@ export interface Planner {
   g: Float64Array;
   h: Float64Array;
   f: Float64Array;
-  /** Whether a node's step has been judged; energy that a twisted torso would add where it is not free, 0 for never. */
+  /** How far a node's step has been judged, and the first other not looked at yet. */
   judged: Uint8Array;
+  looked: Uint8Array;
+  /** Energy that a twisted torso would add where a node's step is not free, 0 for never; and energy of the step. */
   twist: Float64Array;
+  cost: Float64Array;
   nodes: number;
+  /** Open nodes and their f, the least first. */
   heap: Int32Array;
+  keys: Float64Array;
   open: number;
   others: Others;
   /** The answer: node indices of the path, first step first. */
@@ -57,9 +74,12 @@ export const createPlanner = (): Planner => ({
   h: new Float64Array(MOST_NODES),
   f: new Float64Array(MOST_NODES),
   judged: new Uint8Array(MOST_NODES),
+  looked: new Uint8Array(MOST_NODES),
   twist: new Float64Array(MOST_NODES),
+  cost: new Float64Array(MOST_NODES),
   nodes: 0,
   heap: new Int32Array(MOST_NODES),
+  keys: new Float64Array(MOST_NODES),
   open: 0,
   others: createOthers(),
   path: new Int32Array(64),
@@ -111,25 +131,26 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
   search.time = start[from + S.time];
   for (let k = 0; k < STATE; k++) p.states[k] = start[from + k];
   startJudging(p.others, start, from);
-  ahead(place, search.ground, search.way, start[from], start[from + 1]);
+  ahead(place, search.ground, search.way, start, from);
   p.parent[0] = -1;
   p.depth[0] = 0;
   p.g[0] = 0;
   p.h[0] = perMetre * place[2];
   p.f[0] = p.h[0];
   p.heap[0] = 0;
+  p.keys[0] = p.f[0];
   p.nodes = 1;
   p.open = 1;
   p.expanded = 0;
   p.generated = 0;
   p.judgements = 0;
-  p.judged[0] = 1;
+  p.judged[0] = JUDGED;
   let goal = -1;
   let bestWorth = Number.POSITIVE_INFINITY;
   while (p.open > 0) {
     const node = takeBest(p);
     const o = node * STATE;
-    if (p.judged[node] === 0 && !judge(p, search, node)) continue;
+    if (p.judged[node] !== JUDGED && !judge(p, search, node)) continue;
     if (node > 0) {
       const worth = p.h[node] + SPENT * p.g[node];
       if (worth < bestWorth) {
@@ -143,7 +164,7 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
     }
     if (p.expanded >= search.most || p.nodes > MOST_NODES - MOST_CHILDREN) break;
     p.expanded++;
-    ahead(place, search.ground, search.way, p.states[o], p.states[o + 1]);
+    ahead(place, search.ground, search.way, p.states, o);
     const gx = place[0] - p.states[o];
     const gz = place[1] - p.states[o + 1];
     const gl = Math.sqrt(gx * gx + gz * gz);
@@ -159,59 +180,100 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
   return true;
 }
 
+/** Whether a node's step was looked at among the others, be it in part. */
+export const wasJudged = (p: Planner, node: number): boolean => p.judged[node] > UNJUDGED;
+
 /**
  * Judges a node's step, which is put off until the node is the best one open: nearness only adds to a cost, so the order is the
- * same as if all had been judged at once, and most never are.
+ * same as if all had been judged at once, and most never are. For the same reason nobody is looked at any more once others open
+ * are better, and walls last, where no twist of the torso depends on them: what is left follows when the node is the best one again.
  *
- * @returns whether the node may be looked at now; else it was dropped, or put back at what it costs.
+ * @returns whether the node may be looked at now; else it was dropped, or put back at what it costs as far as is known.
  */
 function judge(p: Planner, search: Search, node: number): boolean {
   const q = node * STEP;
-  const first = p.parent[node] === 0;
-  p.judged[node] = 1;
-  p.judgements++;
-  let extra = costOfStep(p.others, p.steps, q, first, search);
-  if (extra < 0 && p.twist[node] > 0) {
-    if (p.steps[q + P.kind] === KIND.shift)
-      keepFacing(p.states, node * STATE, p.steps, q, search.gait.footAside);
-    else {
-      // Once more sideways: the shoulder first that is nearer to where it faces.
-      const left =
-        p.steps[q + P.fromX] * p.steps[q + P.headZ] - p.steps[q + P.fromZ] * p.steps[q + P.headX] >= 0
-          ? 1
-          : -1;
-      twistTorso(p.states, node * STATE, p.steps, q, left);
-    }
-    p.judgements++;
-    extra = costOfStep(p.others, p.steps, q, first, search);
-    if (extra >= 0) p.g[node] += p.twist[node];
-    else p.f[node] = Number.POSITIVE_INFINITY;
+  if (p.judged[node] === WEIGHED) {
+    finishFootstep(p.states, node * STATE, p.steps, q, p.states, p.parent[node] * STATE, search.gait);
+    p.judged[node] = UNJUDGED;
   }
-  if (extra < 0) return false;
-  p.steps[q + P.nearness] = extra;
-  p.g[node] += extra;
-  const f = p.g[node] + p.h[node];
-  if (f <= p.f[node]) return true;
-  p.f[node] = f;
-  putOpen(p, node);
+  if (p.judged[node] === UNJUDGED) {
+    const first = p.parent[node] === 0;
+    p.judgements++;
+    p.looked[node] = 0;
+    p.steps[q + P.nearness] = 0;
+    p.judged[node] = NEARNESS;
+    if (first || p.twist[node] > 0) {
+      p.judged[node] = NEARNESS_FREE;
+      if (
+        !isFree(p.others, p.steps, q, first, search) &&
+        !(p.twist[node] > 0 && squeeze(p, search, node, first))
+      )
+        return drop(p, node);
+    }
+  }
+  if (p.judged[node] < WALLS) {
+    const { steps, g, h } = p;
+    const { sum } = p.others;
+    sum[0] = steps[q + P.nearness];
+    sum[1] = p.open > 0 ? p.keys[0] - g[node] - h[node] + SLACK : Number.POSITIVE_INFINITY;
+    const next = nearness(p.others, steps, q, search.gait, p.looked[node]);
+    steps[q + P.nearness] = sum[0];
+    const f = g[node] + sum[0] + h[node];
+    if (next === ALL) {
+      p.judged[node] = p.judged[node] === NEARNESS ? WALLS : JUDGED;
+      g[node] += sum[0];
+    } else p.looked[node] = next;
+    if (next !== ALL || f > p.f[node]) {
+      p.f[node] = f;
+      putOpen(p, node);
+      return false;
+    }
+  }
+  if (p.judged[node] === WALLS) {
+    if (!isFree(p.others, p.steps, q, false, search)) return drop(p, node);
+    p.judged[node] = JUDGED;
+  }
+  return true;
+}
+
+function drop(p: Planner, node: number): false {
+  p.f[node] = Number.POSITIVE_INFINITY;
+  p.judged[node] = JUDGED;
   return false;
 }
 
+/** Makes a step that is not free go sideways, or a shift keep its facing. Returns whether it is free then. */
+function squeeze(p: Planner, search: Search, node: number, first: boolean): boolean {
+  const q = node * STEP;
+  if (p.steps[q + P.kind] === KIND.shift)
+    keepFacing(p.states, node * STATE, p.steps, q, search.gait.footAside);
+  else {
+    // Once more sideways: the shoulder first that is nearer to where it faces.
+    const left =
+      p.steps[q + P.fromX] * p.steps[q + P.headZ] - p.steps[q + P.fromZ] * p.steps[q + P.headX] >= 0 ? 1 : -1;
+    twistTorso(p.states, node * STATE, p.steps, q, left);
+  }
+  p.judgements++;
+  if (!isFree(p.others, p.steps, q, first, search)) return false;
+  p.g[node] += p.twist[node];
+  return true;
+}
+
 /**
- * Keeps the step made in the next free node as a child, not judged yet.
+ * Keeps the step made in the next free node as a child, not judged yet; its energy is in `p.cost`, and in `p.twist` what going sideways
+ * would add where the plain step is not free, 0 for never.
  *
- * @param cost its energy. @param twist what going sideways would add where the plain step is not free; 0 for never.
+ * @param finished whether the step is made, not only weighed.
  */
-export function keepNext(p: Planner, search: Search, node: number, cost: number, twist: number): void {
+export function keepNext(p: Planner, search: Search, node: number, finished: boolean): void {
   const next = p.nodes++;
   p.generated++;
-  p.judged[next] = 0;
-  p.twist[next] = twist;
+  p.judged[next] = finished ? UNJUDGED : WEIGHED;
   p.parent[next] = node;
   p.depth[next] = p.depth[node] + 1;
-  p.g[next] = p.g[node] + cost;
+  p.g[next] = p.g[node] + p.cost[next];
   const o = next * STATE;
-  ahead(place, search.ground, search.way, p.states[o], p.states[o + 1]);
+  ahead(place, search.ground, search.way, p.states, o);
   // Who rests has still to get under way: else standing would look best whenever little is gained within the horizon.
   p.h[next] = search.perMetre * place[2] + (p.states[o + S.speed] === 0 ? search.underWay : 0);
   p.f[next] = p.g[next] + p.h[next];
@@ -219,34 +281,39 @@ export function keepNext(p: Planner, search: Search, node: number, cost: number,
 }
 
 function putOpen(p: Planner, node: number): void {
-  const { heap, f } = p;
+  const { heap, keys } = p;
+  const key = p.f[node];
   let i = p.open++;
   while (i > 0) {
     const q = (i - 1) >> 1;
-    if (f[heap[q]] <= f[node]) break;
+    if (keys[q] <= key) break;
     heap[i] = heap[q];
+    keys[i] = keys[q];
     i = q;
   }
   heap[i] = node;
+  keys[i] = key;
 }
 
 /** Takes the open node of least f out of the heap. */
 function takeBest(p: Planner): number {
-  const { heap, f } = p;
+  const { heap, keys } = p;
   const node = heap[0];
   const open = --p.open;
   if (open === 0) return node;
   const moved = heap[open];
-  const worth = f[moved];
+  const key = keys[open];
   let i = 0;
   for (;;) {
     let c = 2 * i + 1;
     if (c >= open) break;
-    if (c + 1 < open && f[heap[c + 1]] < f[heap[c]]) c++;
-    if (f[heap[c]] >= worth) break;
+    if (c + 1 < open && keys[c + 1] < keys[c]) c++;
+    if (keys[c] >= key) break;
     heap[i] = heap[c];
+    keys[i] = keys[c];
     i = c;
   }
   heap[i] = moved;
+  keys[i] = key;
   return node;
 }
