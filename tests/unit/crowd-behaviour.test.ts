@@ -3,9 +3,17 @@ import { describe, expect, it } from "vitest";
 import { centreOfMass } from "../../src/core/crowd/centre-of-mass.ts";
 import { createCrowd, stepCrowd, stepsOf } from "../../src/core/crowd/crowd.ts";
 import { exponential } from "../../src/core/crowd/elementary.ts";
+import { createGround } from "../../src/core/crowd/ground.ts";
+import { ahead, covers, createLongWay, extendLongWay } from "../../src/core/crowd/long-way.ts";
 import { type CrowdTrack, simulateCrowd } from "../../src/core/crowd/simulate.ts";
 import { KIND, P, STEP } from "../../src/core/crowd/state.ts";
-import { type CrowdWorld, DEFAULT_GAIT, froudeSpeed, limping } from "../../src/core/crowd/types.ts";
+import {
+  type CrowdWorld,
+  DEFAULT_GAIT,
+  froudeSpeed,
+  limping,
+  type Obstacle,
+} from "../../src/core/crowd/types.ts";
 import { chooseYaw, nextYawInterval } from "../../src/core/crowd/yaw-interval.ts";
 import { CROWD_KINDS, drawCrowd, overlaps, walker, wall, worldOf } from "../support/crowd-scenes.ts";
 
@@ -47,6 +55,79 @@ describe("a U-turn", () => {
       return track.footsteps.findIndex((s) => s.lift !== null && Math.abs(wrap(s.yaw - Math.PI)) < 0.35);
     };
     expect(turnAbout(0.5)).toBeGreaterThan(turnAbout(Math.PI / 2));
+  });
+});
+
+describe("the long way", () => {
+  /** Places of a wall's parts along it, every 31 mm over a cell of the grid and a little more. */
+  const places = Array.from({ length: 9 }, (_, n) => 0.5 + n / 32);
+  const along = (axis: "x" | "z", a0: number, a1: number, b0: number, b1: number): Obstacle =>
+    axis === "x" ? wall(a0, a1, b0, b1) : wall(b0, b1, a0, a1);
+
+  const place = new Float64Array(3);
+
+  it("leads through a gap of 0.55 m wherever it lies on the grid, not round the wall's end", () => {
+    for (const axis of ["x", "z"] as const)
+      for (const width of [0.55, 0.6])
+        for (const middle of places) {
+          const w = worldOf(
+            [axis === "x" ? walker(-1, -4, 1, 5) : walker(-4, -1, 5, 1)],
+            [
+              along(axis, -6, middle - width / 2, 0, 0.2),
+              along(axis, middle + width / 2, 6, 0, 0.2),
+              along(axis, -6.2, -6, -6, 7),
+            ],
+          );
+          const name = `${axis} ${width} ${middle}`;
+          expect(simulateCrowd(w, 30).arrived, name).toBe(1);
+          const ground = createGround(w);
+          const [{ x, z, goals }] = w.agents;
+          const way = createLongWay(ground, goals[0].x, goals[0].z);
+          extendLongWay(ground, way, x, z);
+          ahead(place, ground, way, Float64Array.of(x, z), 0);
+          // Round the end it is 15.5 m; straight 9.2, but narrow ways count as longer.
+          expect(place[2], name).toBeLessThan(13.5);
+        }
+  });
+
+  it("never leads through a wall, be it as thin as paper and between two narrow ways", () => {
+    let looked = 0;
+    for (const axis of ["x", "z"] as const)
+      for (const wide of [0.41, 0.46, 0.5, 0.55, 0.6, 0.7])
+        for (const at of places) {
+          const there = at - wide / 2;
+          const here = at + wide / 2;
+          const ground = createGround(
+            worldOf(
+              [axis === "x" ? walker(0, there, 0, here) : walker(there, 0, here, 0)],
+              [
+                along(axis, -3, 3, at - 0.005, at + 0.005),
+                along(axis, -3, 3, at - wide - 0.4, at - wide),
+                along(axis, -3, 3, at + wide, at + wide + 0.4),
+                along(axis, -3.4, -3, at - wide - 0.4, at + wide + 0.4),
+                along(axis, 3, 3.4, at - wide - 0.4, at + wide + 0.4),
+              ],
+            ),
+          );
+          const goal = axis === "x" ? [0, here] : [here, 0];
+          const way = createLongWay(ground, goal[0], goal[1]);
+          extendLongWay(ground, way, axis === "x" ? 0 : there, axis === "x" ? there : 0);
+          const { columns, rows, cell } = ground;
+          const centre = (c: number): number =>
+            axis === "x"
+              ? ground.z0 + (Math.floor(c / columns) + 0.5) * cell
+              : ground.x0 + ((c % columns) + 0.5) * cell;
+          const side = (c: number): number => Math.sign(centre(c) - at);
+          // Where a side is too narrow for any cell the field begins beyond the walls.
+          if (way.from < 0 || side(way.from) < 0 || centre(way.from) > at + wide) continue;
+          looked++;
+          for (let c = 0; c < columns * rows; c++) {
+            const x = ground.x0 + ((c % columns) + 0.5) * cell;
+            const z = ground.z0 + (Math.floor(c / columns) + 0.5) * cell;
+            if (covers(ground, way, x, z)) expect(side(c), `${axis} ${wide} ${at}`).toBe(1);
+          }
+        }
+    expect(looked).toBeGreaterThan(50);
   });
 });
 

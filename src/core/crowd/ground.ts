@@ -35,6 +35,12 @@ const MANY_GOALS = 60;
 /** A walker's middle keeps this far from walls on long ways; where that closes a way, as much as a body needs. */
 const CLEAR = 0.36;
 const TIGHT = 0.2;
+/** On the border of two cells it keeps as far as makes no gap under 0.45 m a way: in that a body that turns would hardly fit. */
+const BETWEEN = 0.225;
+const ACROSS = [
+  [1, 0],
+  [0, 1],
+] as const;
 /** With half a cell's diagonal more, no wall is near anywhere in a cell, whatever way a body faces and wherever its foot is. */
 const OPEN = 0.45;
 /** Steps that lead no farther than this need not be looked at one moment after the other where no wall is near all around. */
@@ -144,6 +150,7 @@ export function createGround(world: CrowdWorld): Ground {
       ground.free[k * columns + i] = level;
       if (ground.surface) ground.surface[k * columns + i] = surfaceOf(surfaces, x, z);
     }
+  markBetween(ground);
   markRoam(ground);
   return ground;
 }
@@ -227,6 +234,37 @@ export function farFromWalls(ground: Ground, x: number, z: number): boolean {
 export function roamsFree(ground: Ground, x: number, z: number): boolean {
   const c = cellOf(ground, x, z);
   return c >= 0 && ground.free[c] === 4;
+}
+
+/**
+ * Marks as narrow what lies between two closed cells where a body has room on their border: a gap whose middle is there has room in
+ * neither cell's middle. The first of the two is marked, so that cells of two gaps side by side never meet through the wall between;
+ * and at the gap's ends the cells that join it to what is open.
+ */
+function markBetween(ground: Ground): void {
+  const { x0, z0, columns, rows, cell, free } = ground;
+  const border = new Float64Array(2);
+  const marked: number[] = [];
+  /** Whether a cell is closed but has room on its border towards (di, dk). */
+  const beside = (i: number, k: number, di: number, dk: number): boolean => {
+    if (i < 0 || k < 0 || i + di >= columns || k + dk >= rows || free[k * columns + i] !== 0) return false;
+    border[0] = x0 + (i + 0.5 + 0.5 * di) * cell;
+    border[1] = z0 + (k + 0.5 + 0.5 * dk) * cell;
+    return nearestGap(ground, border, 0) >= BETWEEN;
+  };
+  for (let k = 0; k < rows; k++)
+    for (let i = 0; i < columns; i++) {
+      if (free[k * columns + i] !== 0) continue;
+      for (const [di, dk] of ACROSS) {
+        if (free[(k + dk) * columns + i + di] !== 0 || !beside(i, k, di, dk)) continue;
+        for (let along = -1; along <= 1; along++) {
+          const a = i + along * dk;
+          const b = k + along * di;
+          if (along === 0 || beside(a, b, di, dk)) marked.push(b * columns + a);
+        }
+      }
+    }
+  for (const c of marked) free[c] = 1;
 }
 
 /** Marks the cells from which all others within ROAM are far from walls, beyond the grid none: row by row, then column by column. */
