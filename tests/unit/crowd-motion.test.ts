@@ -1,16 +1,41 @@
 /** Crowds that are walked: the controller meets the planned footsteps in place and time; the scene may change meanwhile. */
 import { describe, expect, it } from "vitest";
-import { changeCrowd, createCrowdMotion, moveCrowd } from "../../src/core/crowd/motion.ts";
+import { type CrowdMotion, changeCrowd, createCrowdMotion, moveCrowd } from "../../src/core/crowd/motion.ts";
 import { createSession, runSession } from "../../src/core/crowd/session.ts";
 import { J } from "../../src/core/skeleton/joints.ts";
 import { holdToLimits } from "../../src/core/skeleton/limits.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { studioBlendLibrary } from "../../src/studio/blend-library.ts";
+import { restPlaces } from "../../src/view/character/body-shape.ts";
 import { footstepErrors } from "../support/crowd-feet.ts";
 import { drawCrowd, walker, wall, worldOf } from "../support/crowd-scenes.ts";
 
 const skeleton = createSkeleton(1.75);
 const library = studioBlendLibrary(skeleton);
+
+const rest = restPlaces(skeleton);
+const SIDES = [
+  { hip: J.leftUpperLeg, knee: J.leftLowerLeg, foot: J.leftFoot, toes: J.leftToes },
+  { hip: J.rightUpperLeg, knee: J.rightLowerLeg, foot: J.rightFoot, toes: J.rightToes },
+];
+
+/** Where a joint of the first character is, from its skinning matrix. */
+function jointPlace(m: CrowdMotion, joint: number): [number, number, number] {
+  const o = joint * 16;
+  const e = m.body.matrices;
+  const [x, y, z] = [rest[3 * joint], rest[3 * joint + 1], rest[3 * joint + 2]];
+  const row = (k: number): number => e[o + k] * x + e[o + 4 + k] * y + e[o + 8 + k] * z + e[o + 12 + k];
+  return [row(0), row(1), row(2)];
+}
+
+/** How far a knee points beside its foot, radians; 0 where the foot hangs so steeply that it points nowhere. */
+function kneeOverFoot(m: CrowdMotion, side: (typeof SIDES)[number]): number {
+  const [hip, knee, foot, toes] = [side.hip, side.knee, side.foot, side.toes].map((j) => jointPlace(m, j));
+  const [fx, fz] = [toes[0] - foot[0], toes[2] - foot[2]];
+  const [kx, kz] = [knee[0] - (hip[0] + foot[0]) / 2, knee[2] - (hip[2] + foot[2]) / 2];
+  if (Math.hypot(fx, fz) < 0.08 || Math.hypot(kx, kz) < 0.05) return 0;
+  return Math.atan2(kx * fz - kz * fx, kx * fx + kz * fz);
+}
 
 describe("a crowd in motion", () => {
   it("meets its footsteps within 1 mm and 0.5 degrees where two pass each other", () => {
@@ -39,9 +64,17 @@ describe("a crowd in motion", () => {
     let widest = 0;
     let fastest = 0;
     let before = 0;
+    let knees = 0;
+    let outside = 0;
     for (let f = 0; f < 60 * 12; f++) {
       moveCrowd(m, f / 60);
       const turned = m.body.upperYaw[0];
+      if (Math.abs(turned) > 0.5)
+        for (const side of SIDES) {
+          knees = Math.max(knees, Math.abs(kneeOverFoot(m, side)));
+          const [x, , z] = jointPlace(m, side.knee);
+          if (z > 3 && z < 3.3) outside = Math.max(outside, Math.abs(x - 0.125));
+        }
       widest = Math.max(widest, Math.abs(turned));
       if (m.session.gone[0] > f / 60) fastest = Math.max(fastest, Math.abs(turned - before) * 60);
       before = turned;
@@ -52,6 +85,9 @@ describe("a crowd in motion", () => {
     expect(m.session.gone[0]).toBeLessThan(12);
     expect(widest).toBeGreaterThan(1);
     expect(fastest).toBeLessThan(6);
+    // The hips turn over the legs: knees point as the feet do, and stay out of the walls by their own thickness.
+    expect(knees).toBeLessThan(0.2);
+    expect(outside).toBeLessThan(0.3 - 0.06);
     const errors = footstepErrors(createCrowdMotion(w, library), skeleton, 8);
     expect(errors.exact).toBe(1);
   });

@@ -189,6 +189,11 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
   for (let side = 0; side < 2; side++) {
     const f = o + FOOT + FOOT_STATE * side;
     const upper = side === 0 ? J.leftUpperLeg : J.rightUpperLeg;
+    if (twist !== 0) {
+      // Hips turn over their legs: knees go on over the feet, and not out to the side.
+      turnJoint(world, upper, -HIPS_TWIST * twist);
+      turnJoint(world, upper + 2, -HIPS_TWIST * twist);
+    }
     closeLeg(leg, offsets, pose, positions, world, upper, s, f);
     if (s[f + AIR] === 1) continue;
     const q = 4 * (upper + 2);
