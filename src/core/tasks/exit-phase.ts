@@ -1,5 +1,6 @@
 /** The exit phase [TaskLoco Algorithm 1, PlanTaskExitPhase]: how the task that is left is left. */
 import { CLIP_RATE } from "../capture/clip.ts";
+import { wrapAngle } from "../math/angle.ts";
 import { bearing, type GroundPose, groundDistance, midPose, toLocal } from "../math/frame2.ts";
 import { retrieveExit } from "../templates/retrieve.ts";
 import type { Template } from "../templates/types.ts";
@@ -40,7 +41,7 @@ export function planExit(
     competitors,
     (t) => chainFrom(library, t, context.feet),
     context.obstacles,
-    wrongFoot,
+    (t) => wrongFoot(t) + turnLack(context, t, toward),
   );
   context.plan.candidates.push({ task: index, phase: "exit", list: result.list });
   if (!result.winner) return;
@@ -66,6 +67,25 @@ export function planExit(
     const from = i === 0 && end !== null && end < source.steps[s.step].start ? end : null;
     lay(context, s, index, from);
   });
+}
+
+/** Radians by which a template may turn less or more than there is to turn, and what every further one costs, as `compete` counts. */
+const TURN_LACK = 0.8;
+const TURN_COST = 0.2;
+
+/**
+ * What it costs that a template turns elsewhere. Round furniture the way out is another than the way to the next task, and a left turn
+ * that is laid over a right one would spin the foot.
+ */
+function turnLack(context: Context, t: Template, toward: GroundPoint): number {
+  const { steps } = context.library.clips[t.clip];
+  const foot = steps[t.last - 1]?.foot;
+  if (!foot) return 0;
+  let turn = 0;
+  for (let i = t.first; i < t.last; i++)
+    if (steps[i].foot === foot) turn += wrapAngle(steps[i].to.yaw - steps[i].from.yaw);
+  const wanted = bearing(midPose(context.feet.left, context.feet.right), toward) - context.feet[foot].yaw;
+  return TURN_COST * Math.max(0, Math.abs(wrapAngle(turn - wanted)) - TURN_LACK);
 }
 
 /** The steps up to the first that lands within the radius of the task, or before the way to the aim grows again. */
