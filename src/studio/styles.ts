@@ -52,7 +52,7 @@ const SPECS: Record<Style, StyleSpec> = {
   excited: {
     pace: { length: 0.62, time: 0.5, stance: 0.61 },
     mood: {
-      bounce: 0.03,
+      bounce: 0.024,
       swing: 1.4,
       elbow: 40,
       armsOut: 24,

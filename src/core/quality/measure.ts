@@ -189,18 +189,12 @@ export function measureMotion(
 function steadyJerk(points: MotionPoints, pace: MotionPace, leg: number): number | null {
   const { frames, joints } = points;
   const going = steadyFrames(pace, 60);
-  let speed = 0;
-  let count = 0;
-  for (let f = 0; f < frames; f++) {
-    if (!going[f]) continue;
-    speed += pace.speeds[f];
-    count++;
-  }
+  const count = going.reduce((a, b) => a + b, 0);
   if (count < 60 && pace.kind === "stand") return jerkRatio(joints, frames, 60, leg, "stand", 0);
   const kind = pace.kind === "stand" || pace.kind === "all" ? "walk" : pace.kind;
   // A few steps, too short to be steady: no standing either, so its starts and stops count as walking.
   if (count < 60) return jerkRatio(joints, frames, 60, leg, kind, pace.speed);
-  return jerkRatio(joints, frames, 60, leg, kind, speed / count, (f) => going[f] === 1);
+  return jerkRatio(joints, frames, 60, leg, kind, pace.speeds, (f) => going[f] === 1);
 }
 
 /** Height of the ground under left and right foot: of the footstep it stands on or, past the middle of a swing, goes to. */

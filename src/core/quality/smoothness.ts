@@ -96,7 +96,8 @@ export function jerkRatio(...of: Parameters<typeof jerkRatios>): number | null {
  *
  * @param joints world places, frames x JOINT_COUNT x 3, metres, at `rate`.
  * @param legLength hip to ankle, metres.
- * @param speed of the hips, metres a second.
+ * @param speed of the hips, metres a second; one a frame where it changes much: each frame is then held against real ones at its own
+ *   speed, running from 2 m/s on where the kind is a walk or a run.
  * @param steady frames that count; null for all but the first and last tenth of a second.
  */
 export function jerkRatios(
@@ -105,12 +106,10 @@ export function jerkRatios(
   rate: number,
   legLength: number,
   kind: MotionKind,
-  speed: number,
+  speed: number | Float64Array,
   steady: ((frame: number) => boolean) | null = null,
 ): Map<(typeof JERK_EFFECTORS)[number], number> | null {
   const edge = Math.round(0.1 * rate);
-  const { median, bySpeed } = REAL_JERK[kind];
-  const atSpeed = bySpeed ? Math.exp(bySpeed[0] + bySpeed[1] * Math.log(Math.max(speed, 0.2))) : 1;
   const track = new Float64Array(frames);
   const jerk = new Float64Array(frames);
   const out = new Map<(typeof JERK_EFFECTORS)[number], number>();
@@ -123,15 +122,27 @@ export function jerkRatios(
       thirdDerivative(jerk, track, 0, 1, frames, rate);
       for (let f = 0; f < frames; f++) squares[f] += jerk[f] * jerk[f];
     }
-    let mean = 0;
+    let own = 0;
+    let real = 0;
     let n = 0;
     for (let f = edge; f < frames - edge; f++) {
       if (steady && !steady(f)) continue;
-      mean += squares[f];
+      own += squares[f];
+      real += realJerk(kind, e, typeof speed === "number" ? speed : speed[f], typeof speed !== "number") ** 2;
       n++;
     }
     if (n < rate / 3) return null;
-    out.set(name, Math.sqrt(mean / n) / legLength / (median[e] * atSpeed));
+    out.set(name, Math.sqrt(own / real) / legLength);
   }
   return out;
+}
+
+/** Speed from which on people run, m/s, as kinds are told apart. */
+const RUNS = 2;
+
+/** Jerk of effector `e` in real captures at a speed, 1/s3; with `changes`, of walks or runs as the speed says. */
+function realJerk(kind: MotionKind, e: number, speed: number, changes: boolean): number {
+  const goes = changes && (kind === "walk" || kind === "run");
+  const { median, bySpeed } = REAL_JERK[goes ? (speed > RUNS ? "run" : "walk") : kind];
+  return median[e] * (bySpeed ? Math.exp(bySpeed[0] + bySpeed[1] * Math.log(Math.max(speed, 0.2))) : 1);
 }

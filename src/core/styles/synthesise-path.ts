@@ -72,7 +72,7 @@ const Q = 4 * JOINT_COUNT;
 const STAND_HALF = 0.095;
 const STAND_OUT = (7 * Math.PI) / 180;
 /** A knee is never straighter than this, radians. */
-const LEAST_KNEE = (3.5 * Math.PI) / 180;
+const LEAST_KNEE = (7 * Math.PI) / 180;
 
 /**
  * Walks a path in styles.
