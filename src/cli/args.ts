@@ -55,7 +55,7 @@ export function needed(o: Options, name: string): string {
  * Where the results of several inputs go: `DIR/NAME.ext`; of one, the file named. The folder is made, before any work is done for
  * what could not be kept.
  *
- * @throws Error "DIR: could not be made: ..."
+ * @throws Error "DIR: could not be made: ...", or for two inputs of the same name.
  */
 export function outputs(inputs: readonly string[], out: string, extension: string): string[] {
   const single = inputs.length === 1 && !out.endsWith("/");
@@ -67,7 +67,15 @@ export function outputs(inputs: readonly string[], out: string, extension: strin
       `${folder}: could not be made: ${error instanceof Error ? error.message : String(error)}`,
     );
   }
-  return single ? [out] : inputs.map((i) => `${folder}/${baseName(i)}.${extension}`);
+  if (single) return [out];
+  const from = new Map<string, string>();
+  return inputs.map((i) => {
+    const to = `${folder}/${baseName(i)}.${extension}`;
+    const other = from.get(to) ?? i;
+    if (other !== i) throw new Error(`${i}: its result would take the place of that of ${other}, ${to}.`);
+    from.set(to, i);
+    return to;
+  });
 }
 
 export const baseName = (path: string): string => (path.split(/[\\/]/).pop() ?? path).replace(/\.[^.]*$/, "");

@@ -58,7 +58,8 @@ export {
 } from "./scene/commands.ts";
 export { defaultScene } from "./scene/default-scene.ts";
 export { History } from "./scene/history.ts";
-export { resultDocument } from "./scene/result.ts";
+export { type ResultDocument, type ResultFootstep, resultDocument } from "./scene/result.ts";
+export { parseResult, ResultError, readResult } from "./scene/result-schema.ts";
 export { parseScene, readScene, SceneError, serializeScene } from "./scene/schema.ts";
 export type { Effort, TaskCategory } from "./scene/task-types.ts";
 export type {

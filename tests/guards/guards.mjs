@@ -111,7 +111,7 @@ export const GUARDS = [
   },
   {
     name: "SteerSuite: entities of one's own are refused",
-    file: "src/core/crowd/steer-case.ts",
+    file: "src/core/crowd/xml.ts",
     guard: 'if (text.startsWith("<!", at)) fail("document types and entities are not read.");',
     without: "",
     tests: "tests/unit/crowd.test.ts",

@@ -1,4 +1,4 @@
-import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, describe, expect, it } from "vitest";
@@ -18,6 +18,12 @@ describe("where results go", () => {
     expect(existsSync(join(folder, "new"))).toBe(true);
     expect(outputs(["x.bvh"], join(folder, "deep/er/z.csv"), "csv")).toEqual([join(folder, "deep/er/z.csv")]);
     expect(existsSync(join(folder, "deep/er"))).toBe(true);
+  });
+
+  it("two inputs that would be written to one file are told before the work", () => {
+    expect(() => outputs(["a/x.bvh", "b/x.bvh"], join(folder, "new/"), "csv")).toThrow(
+      `b/x.bvh: its result would take the place of that of a/x.bvh, ${join(folder, "new/x.csv")}.`,
+    );
   });
 
   it("a folder that cannot be made is told before the work", () => {
@@ -54,5 +60,10 @@ describe("where results go", () => {
     planCommand.run(["--scene", path, path, "--out", plans]);
     expect(existsSync(join(plans, "path.json"))).toBe(true);
     expect(existsSync(join(plans, "path.bvh"))).toBe(true);
+    // What it wrote is planned anew, to the same plan.
+    const again = planCommand.run(["--scene", join(plans, "path.json"), "--out", join(folder, "again.json")]);
+    expect(again).toMatchObject({ beside: { distance: 0, distance90: 0, seconds: null } });
+    const read = (path: string): unknown => JSON.parse(readFileSync(path, "utf8"));
+    expect(read(join(folder, "again.json"))).toEqual(read(join(plans, "path.json")));
   });
 });

@@ -2,7 +2,7 @@
 
 import { readFileSync } from "node:fs";
 import fc from "fast-check";
-import { describe, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import { writeBvh } from "../../src/core/capture/bvh-write.ts";
 import type { Clip } from "../../src/core/capture/clip.ts";
 import { importBvh } from "../../src/core/capture/import.ts";
@@ -12,8 +12,11 @@ import { decodeOracle, encodeOracle } from "../../src/core/contacts/model-file.t
 import { trackOf } from "../../src/core/contacts/motion-track.ts";
 import { trainOracle } from "../../src/core/contacts/oracle.ts";
 import { readSteerCase } from "../../src/core/crowd/steer-case.ts";
+import { resultDocument } from "../../src/core/scene/result.ts";
+import { readResult } from "../../src/core/scene/result-schema.ts";
 import { readScene } from "../../src/core/scene/schema.ts";
 import { JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
+import { solveScene } from "../../src/core/solve-scene.ts";
 import { buildLibrary } from "../../src/core/templates/build-library.ts";
 import { decodeLibrary, encodeLibrary } from "../../src/core/templates/library-file.ts";
 import { renderScore } from "../../src/studio/render.ts";
@@ -44,6 +47,19 @@ const library = buildLibrary([{ name: first.name, clip: rendered.clip, tasks: re
 const LIBRARY = encodeLibrary(library);
 const CSV = contactsCsv(library.clips[0].contacts, 60, 60, 40);
 const SCENE = readFileSync("assets/scenes/moving-boxes.json", "utf8");
+const turn = readScene(
+  JSON.stringify({ version: 1, tasks: [{ id: "t", category: "turn", position: [0.4, 0, 1.2], yaw: 1 }] }),
+  "turn",
+);
+const solved = solveScene(turn, library);
+const result = resultDocument(turn, solved.plan, solved.contacts, solved.quality);
+const RESULT = JSON.stringify(result);
+/** The same with few rows of contacts, or most faults would fall on those. */
+const HEAD = JSON.stringify({
+  ...result,
+  contacts: result.contacts.slice(0, 3),
+  footsteps: result.footsteps.slice(0, 2),
+});
 const MODEL = encodeOracle(
   trainOracle([
     {
@@ -114,6 +130,26 @@ describe("broken files", () => {
       );
     },
     limit(5_000),
+  );
+
+  it(
+    "result documents (seed 7)",
+    () => {
+      fuzz(
+        fc.oneof(brokenText(RESULT), brokenJson(RESULT), brokenJson(HEAD), fc.string({ unit: "binary" })),
+        RESULT,
+        400,
+        (text) => {
+          const result = survives(() => readResult(text, "a.json"), "a.json");
+          if (result) {
+            expectFinite(result);
+            // What is taken once is taken again, and stays as it is.
+            expect(readResult(JSON.stringify(result), "a.json")).toEqual(result);
+          }
+        },
+      );
+    },
+    limit(20_000),
   );
 
   it(

@@ -1,4 +1,4 @@
-/** `plan`: scenes into footsteps and whole motions. */
+/** `plan`: scenes into footsteps and whole motions; a result is planned anew and laid beside the new plan. */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { type BlendLibrary, bakeLibrary } from "../../core/blending/library.ts";
 import { ownCycle, withOwnCycles } from "../../core/blending/own-cycles.ts";
@@ -6,11 +6,13 @@ import type { CyclicSource } from "../../core/blending/types.ts";
 import { writeBvh } from "../../core/capture/bvh-write.ts";
 import type { SwingCache } from "../../core/motion/synthesise.ts";
 import { planWhole } from "../../core/motion/whole-scene.ts";
+import { type Beside, besidePerformance } from "../../core/quality/footstep-distance.ts";
 import { measureMotion } from "../../core/quality/measure.ts";
-import { resultDocument } from "../../core/scene/result.ts";
-import { readScene } from "../../core/scene/schema.ts";
+import { footstepsOf, type ResultDocument, resultDocument } from "../../core/scene/result.ts";
+import { readSceneOrResult } from "../../core/scene/result-schema.ts";
 import { createSkeleton, type Skeleton } from "../../core/skeleton/skeleton.ts";
 import { goalsOf } from "../../core/tasks/plan-scene.ts";
+import type { Plan } from "../../core/tasks/plan-types.ts";
 import { buildLibrary } from "../../core/templates/build-library.ts";
 import { decodeLibrary, encodeLibrary } from "../../core/templates/library-file.ts";
 import { retargetLibrary } from "../../core/templates/retarget-library.ts";
@@ -59,6 +61,13 @@ function withOwnClips(files: readonly string[]): CyclicSource[] {
   return withOwnCycles(cyclicSources(), own);
 }
 
+/** How far the new plan is from the one that a result holds. */
+const besideResult = (r: ResultDocument, plan: Plan): Beside | null =>
+  besidePerformance(
+    { steps: footstepsOf(r).steps, contacts: r.timing.tasks.map((t) => t.contact) },
+    { steps: plan.steps, contacts: plan.tasks.map((t) => t.contact) },
+  );
+
 export const planCommand = {
   usage: "plan --scene F... --out F.json | DIR/ [--bvh F.bvh] [--library F] [--cycles F.bvh...]",
   run(args: string[]) {
@@ -73,7 +82,7 @@ export const planCommand = {
     const sources = once(() => withOwnClips(o.values.get("cycles") ?? []));
     const kept = new Map<string, Character>();
     const rows = files.map((f, i) => {
-      const scene = readScene(readText(f), f);
+      const { scene, result } = readSceneOrResult(readText(f), f);
       const { height, proportions } = scene.character;
       const key = JSON.stringify([height, proportions]);
       const skeleton = createSkeleton(height, proportions);
@@ -107,6 +116,7 @@ export const planCommand = {
         seconds: plan.duration,
         warnings: plan.warnings,
         quality,
+        ...(result ? { beside: besideResult(result, plan) } : {}),
       };
     });
     return rows.length === 1 ? rows[0] : rows;

@@ -5,6 +5,20 @@
 import * as v from "valibot";
 import { FEET } from "../steps/types.ts";
 import { readJson } from "./json-text.ts";
+import {
+  angle,
+  faultOf,
+  id,
+  list,
+  object,
+  oneOf,
+  place,
+  point2,
+  point3,
+  positive,
+  shown,
+  within,
+} from "./schema-parts.ts";
 import { TASK_CATEGORIES } from "./task-types.ts";
 import { CROWD_GAITS, PLANT_MODES, PROP_KINDS, PROP_SIZES, type Scene } from "./types.ts";
 
@@ -12,29 +26,6 @@ import { CROWD_GAITS, PLANT_MODES, PROP_KINDS, PROP_SIZES, type Scene } from "./
 export class SceneError extends Error {
   override name = "SceneError";
 }
-
-const finite = v.pipe(v.number("a number is needed"), v.finite("a finite number is needed"));
-const within = (low: number, high: number) =>
-  v.pipe(
-    finite,
-    v.minValue(low, `at least ${low} is needed`),
-    v.maxValue(high, `at most ${high} is possible`),
-  );
-const place = within(-1000, 1000);
-const positive = within(0.001, 1000);
-const id = v.pipe(
-  v.string("a text is needed"),
-  v.minLength(1, "a text that is not empty is needed"),
-  v.maxLength(80, "at most 80 characters are possible"),
-);
-const point2 = v.tuple([place, place], "two numbers are needed");
-const point3 = v.tuple([place, place, place], "three numbers are needed");
-const angle = within(-1000, 1000);
-const object = <E extends v.ObjectEntries>(entries: E) => v.strictObject(entries, "an object is needed");
-const list = <S extends v.BaseSchema<unknown, unknown, v.BaseIssue<unknown>>>(item: S, most: number) =>
-  v.pipe(v.array(item, "a list is needed"), v.maxLength(most, `at most ${most} entries are possible`));
-const oneOf = <T extends readonly [string, ...string[]]>(values: T) =>
-  v.picklist(values, `one of ${values.join(", ")} is needed`);
 
 /** What a field is to people: its name, the unit it is shown in, names of its parts or choices. */
 export interface FieldAbout {
@@ -204,23 +195,6 @@ const document = object({
   edits: v.optional(list(edit, 5000), []),
 });
 
-/** How a value is shown in an error: short. */
-function shown(value: unknown): string {
-  if (value === undefined) return "nothing";
-  if (typeof value === "number" || typeof value === "boolean" || value === null) return String(value);
-  if (typeof value === "string")
-    return JSON.stringify(value.length > 40 ? `${value.slice(0, 37)}...` : value);
-  return Array.isArray(value) ? `a list of ${value.length}` : `an ${typeof value}`;
-}
-
-/** "tasks[2].yaw" from valibot's path. */
-function dotted(path: readonly { key?: unknown }[] | undefined): string {
-  let out = "";
-  for (const item of path ?? [])
-    out += typeof item.key === "number" ? `[${item.key}]` : `${out ? "." : ""}${String(item.key)}`;
-  return out || "scene";
-}
-
 /**
  * A scene from parsed JSON, every default filled in.
  *
@@ -228,17 +202,7 @@ function dotted(path: readonly { key?: unknown }[] | undefined): string {
  */
 export function parseScene(value: unknown): Scene {
   const result = v.safeParse(document, value, { abortEarly: true });
-  if (!result.success) {
-    const issue = result.issues[0];
-    const where = dotted(issue.path as readonly { key?: unknown }[] | undefined);
-    if (issue.type === "strict_object" && issue.expected === "never")
-      throw new SceneError(`${where}: no such field is known.`);
-    const needed =
-      issue.type === "strict_object" && issue.received === "undefined"
-        ? "this field is needed"
-        : issue.message;
-    throw new SceneError(`${where}: ${needed}, found ${shown(issue.input)}.`);
-  }
+  if (!result.success) throw new SceneError(faultOf(result.issues[0], "scene"));
   const d = result.output;
   const ids = [...d.tasks, ...d.paths, ...d.stones].map((x) => x.id);
   const seen = new Set<string>();

@@ -1,6 +1,10 @@
-/** A performance beside its plan [TaskLoco §7, ground truth]: what was performed, and the scene that asks for the same. */
+/**
+ * A performance beside its plan [TaskLoco §7, ground truth]: what was performed, and the scene that asks for the same. Or a plan that
+ * was kept as a result document beside the one that is made now.
+ */
 import type { SidecarTask } from "../../core/capture/sidecar.ts";
 import { midPose } from "../../core/math/frame2.ts";
+import { footstepsOf, type ResultDocument } from "../../core/scene/result.ts";
 import { parseScene } from "../../core/scene/schema.ts";
 import type { Scene } from "../../core/scene/types.ts";
 import type { Proportions } from "../../core/skeleton/skeleton.ts";
@@ -20,6 +24,46 @@ export interface Performance {
   steps: Footstep[];
   tasks: SidecarTask[];
 }
+
+/** What is shown beside the plan. */
+export interface Shown {
+  kind: "performance" | "result";
+  /** At 60 Hz, as a performance has them; no frames: footsteps alone. */
+  frames: number;
+  root: Float32Array;
+  rotations: Float32Array;
+  start: readonly Footstep[];
+  steps: readonly Footstep[];
+  /** Seconds at which each task was touched. */
+  contacts: readonly number[];
+  /** Ids that the scene has as long as this is of it. */
+  ids: readonly string[];
+}
+
+/** A performance as it is shown beside its plan. */
+export const shownOf = (p: Performance): Shown => ({
+  kind: "performance",
+  frames: p.frames,
+  root: p.root,
+  rotations: p.rotations,
+  start: p.start,
+  steps: p.steps,
+  contacts: p.tasks.map((t) => t.contact),
+  ids: p.tasks.map((_, i) => performedId(i)),
+});
+
+/** The footsteps of a result as they are shown beside the plan that is made now. */
+export const shownResult = (r: ResultDocument): Shown => ({
+  kind: "result",
+  frames: 0,
+  root: new Float32Array(0),
+  rotations: new Float32Array(0),
+  ...footstepsOf(r),
+  contacts: r.timing.tasks.map((t) => t.contact),
+  ids: r.scene.order,
+});
+
+const performedId = (i: number): string => `performed-${i + 1}`;
 
 /** What a capture shows. @throws Error that says what has to be marked first. */
 export function performanceOf(c: Capture): Performance {
@@ -54,7 +98,7 @@ export function sceneOf(p: Performance): Scene {
     character: { height: p.height, ...(p.proportions ? { proportions: p.proportions } : {}) },
     start: { position: [start.x, start.z], yaw: start.yaw },
     tasks: p.tasks.map((t, i) => ({
-      id: `performed-${i + 1}`,
+      id: performedId(i),
       category: t.category,
       effort: t.effort,
       position:

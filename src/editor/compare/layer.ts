@@ -1,4 +1,4 @@
-/** The performance in the stage: a second figure that one sees through, and its footsteps in white under the plan's. */
+/** The performance in the stage: a second figure that one sees through, and its footsteps in white under the plan's; of a result, the footsteps. */
 import { Group } from "three";
 import { JOINT_COUNT } from "../../core/skeleton/joints.ts";
 import { createSkeleton } from "../../core/skeleton/skeleton.ts";
@@ -43,7 +43,9 @@ export function compareLayer(e: Editor, session: CompareSession): ViewportLayer 
     const p = session.shown;
     object.visible = p !== null && e.tools.current.id !== "label";
     if (!p || !object.visible) return;
-    dress();
+    if (p.frames > 0) dress();
+    if (figure) figure.group.visible = p.frames > 0;
+    if (p.frames === 0) return;
     const f = Math.max(0, Math.min(p.frames - 1, Math.floor(seconds * 60)));
     figure?.setPose(p.root, 3 * f, p.rotations, Q * f);
   };

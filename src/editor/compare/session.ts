@@ -1,9 +1,11 @@
-/** Which performance is shown beside the plan, and how it got there. */
+/** Which performance, or which kept plan, is shown beside the plan, and how it got there. */
 import { type Beside, besidePerformance } from "../../core/quality/footstep-distance.ts";
+import type { ResultDocument } from "../../core/scene/result.ts";
+import type { Scene } from "../../core/scene/types.ts";
 import type { StudioRequest, StudioResponse } from "../../workers/studio-protocol.ts";
 import type { Capture } from "../captures/capture.ts";
 import type { Editor } from "../editor.ts";
-import { type Performance, performanceOf, sceneOf } from "./comparison.ts";
+import { type Performance, performanceOf, type Shown, sceneOf, shownOf, shownResult } from "./comparison.ts";
 
 const sessions = new WeakMap<Editor, CompareSession>();
 
@@ -15,7 +17,7 @@ export function compareSession(e: Editor): CompareSession {
 }
 
 export class CompareSession {
-  shown: Performance | null = null;
+  shown: Shown | null = null;
   private working = false;
 
   constructor(private readonly e: Editor) {}
@@ -23,7 +25,7 @@ export class CompareSession {
   /** Plans what a capture shows, and lays the capture beside it. */
   capture(c: Capture): void {
     try {
-      this.show(performanceOf(c));
+      this.perform(performanceOf(c));
       if (c.inLibrary)
         this.e.say(`${c.key} is in your library: take it out, or its plan may be a copy of it.`, false);
     } catch (error) {
@@ -43,7 +45,7 @@ export class CompareSession {
     };
     worker.onmessage = ({ data }: MessageEvent<StudioResponse>) => {
       end();
-      if (data.type === "performed") this.show({ ...data, name: "Two writes, a sit, a box" });
+      if (data.type === "performed") this.perform({ ...data, name: "Two writes, a sit, a box" });
       else if (data.type === "failed") this.e.fail(data.message);
     };
     worker.onerror = (event) => {
@@ -55,21 +57,28 @@ export class CompareSession {
     worker.postMessage(request);
   }
 
-  private show(p: Performance): void {
-    const scene = sceneOf(p);
+  /** Opens a result's scene, and lays its footsteps beside the plan that is made of it now. */
+  result(r: ResultDocument, name: string): void {
+    this.show(shownResult(r), r.scene, name);
+  }
+
+  private perform(p: Performance): void {
+    this.show(shownOf(p), sceneOf(p), `${p.name}, beside its plan`);
+  }
+
+  private show(shown: Shown, scene: Scene, name: string): void {
     this.e.tools.use("select");
-    this.e.scene.replace(scene, `${p.name}, beside its plan`);
-    this.shown = p;
+    this.e.scene.replace(scene, name);
+    this.shown = shown;
     this.e.set({ tab: "beside" });
     this.e.layers.update("plan");
     this.e.playback.show();
   }
 
-  /** Another scene has been opened: the performance is not of it. */
+  /** Another scene has been opened: what is shown is not of it. */
   follow(): void {
     const { order } = this.e.store.getState().scene;
-    if (this.shown && !this.shown.tasks.every((_, i) => order.includes(`performed-${i + 1}`)))
-      this.shown = null;
+    if (this.shown && !this.shown.ids.every((id) => order.includes(id))) this.shown = null;
   }
 
   close(): void {
@@ -84,9 +93,6 @@ export class CompareSession {
     const { plan } = this.e.store.getState();
     const p = this.shown;
     if (!p || !plan) return null;
-    return besidePerformance(
-      { steps: p.steps, contacts: p.tasks.map((t) => t.contact) },
-      { steps: plan.steps, contacts: plan.tasks.map((t) => t.contact) },
-    );
+    return besidePerformance(p, { steps: plan.steps, contacts: plan.tasks.map((t) => t.contact) });
   }
 }
