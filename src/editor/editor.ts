@@ -80,6 +80,10 @@ export class Editor {
     this.layers = new LayerHost(this);
     this.markers = new Markers(this, places.viewport.querySelector(".overlay") as HTMLElement);
     this.stage.onDraw = () => this.markers.draw();
+    this.stage.onLost = () =>
+      this.fail(
+        "The browser has taken the drawing away and does not give it back. Save the scene (Ctrl S), then reload the page.",
+      );
     this.tools = new ToolHost(this, places.canvas);
     this.playback = new Playback(this);
     this.scene = new SceneSession(this, scene);

@@ -2,6 +2,7 @@
  * Plays a scene: asks the page's planner, keeps the frames that arrive, moves the playing time, and draws on a stage when it has one.
  * It knows nothing of buttons and attributes.
  */
+import { elapsed } from "../core/math/elapsed.ts";
 import type { QualityFigures } from "../core/motion/types.ts";
 import { History } from "../core/scene/history.ts";
 import { parseScene } from "../core/scene/schema.ts";
@@ -270,8 +271,7 @@ export class Player {
     this.ticking = 0;
     if (!this.playing || this.paused) return;
     const now = performance.now();
-    // What was hidden does not catch up.
-    const passed = Math.max(0, Math.min(0.1, (now - this.lastTick) / 1000));
+    const passed = elapsed(this.lastTick, now);
     this.lastTick = now;
     let time = this.time + passed * this.speed;
     const m = this.motion.current;

@@ -1,6 +1,7 @@
 /** Measured figures beside their peers as bars: pure data in, SVG markup out. */
 import { max } from "d3-array";
 import { scaleLinear } from "d3-scale";
+import { safe } from "./markup.ts";
 
 export interface FigureBar {
   name: string;
@@ -12,7 +13,6 @@ export interface FigureBar {
   ok: boolean | null;
 }
 
-const safe = (s: string): string => s.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 const short = (v: number): string => (Math.abs(v) >= 100 ? v.toFixed(0) : v.toPrecision(3));
 
 /** SVG markup that stands alone, 720 wide: for each figure its bar and its peer's on a scale of their own, from 0. */

@@ -2,6 +2,7 @@
 import { extent } from "d3-array";
 import { scaleLog } from "d3-scale";
 import { line } from "d3-shape";
+import { safe } from "./markup.ts";
 
 export interface FigureLine {
   name: string;
@@ -12,7 +13,6 @@ export interface FigureLine {
 }
 
 const COLOURS = ["#2f6f8f", "#9aa1a8", "#b5483a", "#2f6f5a"];
-const safe = (s: string): string => s.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 const short = (v: number): string =>
   v >= 1e6 ? `${v / 1e6} M` : v >= 1000 ? `${v / 1000} k` : `${Number(v.toPrecision(3))}`;
 

@@ -5,6 +5,7 @@
 import { extent } from "d3-array";
 import { scaleLinear } from "d3-scale";
 import { line } from "d3-shape";
+import { safe } from "./markup.ts";
 
 export interface FootSpaceData {
   /** Landing points, lateral and forward by turns, metres. */
@@ -67,7 +68,7 @@ export function footSpacePlot(d: FootSpaceData, width = 136, height = 250): stri
     const w = weight.get(i) ?? 0;
     const r = w > 0 ? 2 + 5 * Math.sqrt(w) : 1.4;
     out.push(
-      `<circle cx="${px.toFixed(1)}" cy="${pz.toFixed(1)}" r="${r.toFixed(1)}" fill="currentColor" fill-opacity="${w > 0 ? 1 : 0.45}"><title>${d.names[i]}${w > 0 ? `: ${(100 * w).toFixed(0)} %` : ""}</title></circle>`,
+      `<circle cx="${px.toFixed(1)}" cy="${pz.toFixed(1)}" r="${r.toFixed(1)}" fill="currentColor" fill-opacity="${w > 0 ? 1 : 0.45}"><title>${safe(d.names[i])}${w > 0 ? `: ${(100 * w).toFixed(0)} %` : ""}</title></circle>`,
     );
   }
   // The root, from which everything is seen.
@@ -85,8 +86,8 @@ export function footSpacePlot(d: FootSpaceData, width = 136, height = 250): stri
       `<g stroke="currentColor" fill="none"><circle cx="${qx.toFixed(1)}" cy="${qz.toFixed(1)}" r="7"/><path d="M${(qx - 10).toFixed(1)} ${qz.toFixed(1)}h20M${qx.toFixed(1)} ${(qz - 10).toFixed(1)}v20"/></g>`,
     );
   }
-  out.push(`<text class="strong" x="4" y="11">${d.title}</text>`);
-  return `<svg class="plot" viewBox="0 0 ${width} ${height}" role="img" aria-label="${footSpaceFinding(d)}">${out.join("")}</svg>`;
+  out.push(`<text class="strong" x="4" y="11">${safe(d.title)}</text>`);
+  return `<svg class="plot" viewBox="0 0 ${width} ${height}" role="img" aria-label="${safe(footSpaceFinding(d))}">${out.join("")}</svg>`;
 }
 
 export interface WeightData {

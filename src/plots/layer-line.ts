@@ -2,6 +2,7 @@
 import { extent } from "d3-array";
 import { scaleLinear } from "d3-scale";
 import { line } from "d3-shape";
+import { safe } from "./markup.ts";
 
 /** SVG markup of tracks with a value a frame on one scale; `says` is what they are, `unit` the scale's. */
 export function layerLine(
@@ -33,5 +34,5 @@ export function layerLine(
   const range = flat
     ? "nothing"
     : `${low.toFixed(1)} to ${high.toFixed(1)} ${unit}`.replaceAll("-", "\u2212");
-  return `<svg class="plot layer-line" viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label="${says}: ${range}">${out.join("")}</svg>`;
+  return `<svg class="plot layer-line" viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label="${safe(`${says}: ${range}`)}">${out.join("")}</svg>`;
 }

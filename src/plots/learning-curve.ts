@@ -1,6 +1,7 @@
 /** What an oracle gains by labels: lines over how much was labelled. Pure data in, SVG markup out. */
 import { scaleLinear } from "d3-scale";
 import { line } from "d3-shape";
+import { safe } from "./markup.ts";
 
 export interface LearningSeries {
   /** Named at its end. */
@@ -23,7 +24,6 @@ export interface LearningPlot {
   series: readonly LearningSeries[];
 }
 
-const safe = (s: string): string => s.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 const px = (v: number): string => v.toFixed(1);
 
 /** SVG markup; colours are the page's tokens where it has them. */

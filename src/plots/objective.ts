@@ -2,6 +2,7 @@
 import { max } from "d3-array";
 import { scaleLinear } from "d3-scale";
 import { line } from "d3-shape";
+import { safe } from "./markup.ts";
 
 export interface ObjectiveData {
   /** One row an iteration: total, then the five weighted terms. */
@@ -58,7 +59,7 @@ export function objectivePlot(d: ObjectiveData, width = 272, height = 148): stri
   const over = (ends[ends.length - 1]?.y ?? 0) - (height - bottom);
   for (const e of ends)
     out.push(
-      `<text class="${e.k === 0 ? "strong" : ""}" x="${width - right + 6}" y="${e.y - Math.max(0, over) + 4}">${e.name}</text>`,
+      `<text class="${e.k === 0 ? "strong" : ""}" x="${width - right + 6}" y="${e.y - Math.max(0, over) + 4}">${safe(e.name)}</text>`,
     );
-  return `<svg class="plot" viewBox="0 0 ${width} ${height}" role="img" aria-label="${objectiveFinding(d)}">${out.join("")}</svg>`;
+  return `<svg class="plot" viewBox="0 0 ${width} ${height}" role="img" aria-label="${safe(objectiveFinding(d))}">${out.join("")}</svg>`;
 }

@@ -5,14 +5,14 @@
 import { extent } from "d3-array";
 import { scaleLinear } from "d3-scale";
 import { area, curveMonotoneX, line } from "d3-shape";
+import { safe } from "./markup.ts";
 import { type BandLook, patternSvg } from "./style-pattern.ts";
 import { STRIP_LEFT, type TimeScale } from "./timeline-strip.ts";
 
 const RATE = 60;
-const safe = (s: string): string => s.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 const px = (v: number): string => v.toFixed(1);
 const name = (text: string, unit = ""): string =>
-  `<text x="0" y="14" style="fill:var(--ink-2)">${text}</text>${unit ? `<text x="0" y="27" style="font-size:10px">${unit}</text>` : ""}`;
+  `<text x="0" y="14" style="fill:var(--ink-2)">${safe(text)}</text>${unit ? `<text x="0" y="27" style="font-size:10px">${safe(unit)}</text>` : ""}`;
 
 /** A stretch of time in one style, between its blends; seconds. */
 export interface StyleStretch {

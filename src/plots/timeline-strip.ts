@@ -1,6 +1,7 @@
 /** Parts of the timeline, pure data in, SVG out: ruler, tasks, the feet's strips, the playhead. Each lane's top is y = 0. */
 import { scaleLinear } from "d3-scale";
 import type { Foot, StepCategory } from "../core/steps/types.ts";
+import { safe } from "./markup.ts";
 
 /** Pixels at the left for the lanes' names. */
 export const STRIP_LEFT = 58;
@@ -10,7 +11,6 @@ export const RULER = 18;
 /** Seconds to pixels. */
 export type TimeScale = (seconds: number) => number;
 
-const safe = (s: string): string => s.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 const px = (v: number): string => v.toFixed(1);
 
 /** Time to pixels of a timeline `width` wide, and back with `invert`. */

@@ -109,7 +109,12 @@ class StudioPage {
 
   private openStage(canvas: HTMLCanvasElement): Stage | null {
     try {
-      return new Stage(canvas);
+      const stage = new Stage(canvas);
+      stage.onLost = () =>
+        this.set({
+          message: "The browser has taken the drawing away and does not give it back. Reload the page.",
+        });
+      return stage;
     } catch (error) {
       console.warn(error);
       this.state.message = "This browser has no WebGL 2: the curves are shown, the person is not.";

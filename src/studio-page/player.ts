@@ -1,5 +1,7 @@
 /** Plays a walk on the stage, over and over; a walk that takes another's place goes on at the same share of its way. */
+
 import { CLIP_RATE } from "../core/capture/clip.ts";
+import { elapsed } from "../core/math/elapsed.ts";
 import { JOINT_COUNT } from "../core/skeleton/joints.ts";
 import type { Stage } from "../view/stage.ts";
 import type { Walked } from "../workers/studio-protocol.ts";
@@ -16,7 +18,7 @@ export class Player {
 
   constructor(private readonly stage: Stage) {
     const tick = (now: number) => {
-      const dt = Math.min(0.1, (now - this.last) / 1000);
+      const dt = elapsed(this.last, now);
       this.last = now;
       if (this.playing && this.walk && document.visibilityState === "visible") {
         this.time += dt;

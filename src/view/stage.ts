@@ -26,6 +26,7 @@ import type { Skeleton } from "../core/skeleton/skeleton.ts";
 import type { CharacterMesh } from "./character/build-mesh.ts";
 import { Figure } from "./character/figure.ts";
 import type { Guest } from "./character/guest.ts";
+import { keepContext } from "./context-loss.ts";
 import { type Footprint, FootprintLayer, type FootprintMode } from "./footprints.ts";
 import { FrameBudget } from "./frame-budget.ts";
 import { Furniture } from "./furniture.ts";
@@ -73,6 +74,9 @@ export class Stage {
   private size = { width: 1, height: 1 };
   /** Called after each drawn frame, for what lies over the canvas. */
   onDraw: () => void = () => undefined;
+  /** Called when the drawing context was lost and does not come back. */
+  onLost: () => void = () => undefined;
+  private readonly forgetContext: () => void;
 
   /**
    * @param begin the first picture is not drawn before this.
@@ -99,10 +103,7 @@ export class Stage {
     this.room = createRoom(this.scene);
     this.scene.add(this.furniture.group, this.marks.group, this.footprints.group);
     this.setTheme("light");
-    canvas.addEventListener("webglcontextrestored", () => {
-      this.invalidate();
-    });
-    canvas.addEventListener("webglcontextlost", (e) => e.preventDefault());
+    this.forgetContext = keepContext(canvas, { back: () => this.invalidate(), gone: () => this.onLost() });
   }
 
   setTheme(theme: Theme): void {
@@ -405,6 +406,7 @@ export class Stage {
 
   dispose(): void {
     cancelAnimationFrame(this.waiting);
+    this.forgetContext();
     this.controls.dispose();
     this.furniture.dispose();
     this.marks.dispose();

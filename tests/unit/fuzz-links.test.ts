@@ -7,7 +7,7 @@ import { readScene } from "../../src/core/scene/schema.ts";
 import type { Scene } from "../../src/core/scene/types.ts";
 import { carriesScene, sceneFromHash, sceneToHash } from "../../src/editor/session/share.ts";
 import type { StepwrightScene } from "../../src/embed/element.ts";
-import { act } from "../../src/embed/frame-api.ts";
+import { act, listen } from "../../src/embed/frame-api.ts";
 import { type FrameRequest, isFrameMessage } from "../../src/embed/frame-protocol.ts";
 import { brokenText, budget, expectFinite, limit, survives } from "../support/fuzz.ts";
 
@@ -64,6 +64,22 @@ describe("links", () => {
     );
   });
 });
+
+it("a link that unfolds to more than the page can hold is refused while it unfolds", async () => {
+  const { Deflate } = await import("fflate");
+  // Some two hundred kilobytes, two hundred megabytes unfolded.
+  let text = "";
+  const deflate = new Deflate({ level: 9 }, (chunk) => {
+    for (const byte of chunk) text += String.fromCharCode(byte);
+  });
+  const zeros = new Uint8Array(1_000_000);
+  for (let k = 0; k < 200; k++) deflate.push(zeros, k === 199);
+  const hash = `#s=${btoa(text).replaceAll("+", "-").replaceAll("/", "_")}`;
+  const before = process.resourceUsage().maxRSS;
+  await expect(sceneFromHash(hash)).rejects.toThrow("This link holds more than 4 MB");
+  // Kilobytes: at once, it would take all two hundred megabytes and more.
+  expect(process.resourceUsage().maxRSS - before).toBeLessThan(60_000);
+}, 60_000);
 
 /** An element that only keeps what it is told, and refuses what is no scene. */
 function listener() {
@@ -161,5 +177,61 @@ describe("messages to the frame", () => {
       }),
       budget(200),
     );
+  });
+});
+
+describe("who the frame listens to", () => {
+  /** A page that holds the frame, and hears what the frame answers. */
+  function held(origins: readonly string[]) {
+    const heard: { to: string; message: { ok?: boolean; error?: string; event?: string } }[] = [];
+    const holder = { postMessage: (message: object, to: string) => heard.push({ to, message }) };
+    const { told, element } = listener();
+    const stop = listen(element, origins, holder as unknown as Window);
+    heard.length = 0;
+    const say = async (data: unknown, origin: string, source: unknown = holder): Promise<void> => {
+      const event = new Event("message");
+      Object.assign(event, { data, origin, source });
+      window.dispatchEvent(event);
+      await new Promise((r) => setTimeout(r, 0));
+    };
+    return { heard, told, say, stop };
+  }
+  const seek = (time: number) => ({ stepwright: 1, id: 1, do: "seek", time });
+
+  it("the page that holds it, from an origin it was told: answered there and nowhere else", async () => {
+    const f = held(["https://mine.example"]);
+    await f.say(seek(1.5), "https://mine.example");
+    expect(f.told.time).toBe(1.5);
+    expect(f.heard).toMatchObject([{ to: "https://mine.example", message: { ok: true } }]);
+    f.stop();
+    await f.say(seek(2.5), "https://mine.example");
+    expect(f.told.time).toBe(1.5);
+  });
+
+  it("another origin is not heard and gets no answer", async () => {
+    const f = held(["https://mine.example"]);
+    for (const origin of ["https://other.example", "https://mine.example.other", "null", ""])
+      await f.say(seek(2), origin);
+    expect(f.told.time).toBe(0);
+    expect(f.heard).toEqual([]);
+    f.stop();
+  });
+
+  it("another window of an allowed origin is not heard", async () => {
+    const f = held(["https://mine.example"]);
+    await f.say(seek(2), "https://mine.example", { postMessage: () => undefined });
+    expect(f.told.time).toBe(0);
+    expect(f.heard).toEqual([]);
+    f.stop();
+  });
+
+  it("another version is told so, and does nothing", async () => {
+    const f = held(["https://mine.example"]);
+    await f.say({ ...seek(2), stepwright: 9 }, "https://mine.example");
+    expect(f.told.time).toBe(0);
+    expect(f.heard).toMatchObject([
+      { message: { ok: false, error: "stepwright: version 1 is needed, found 9." } },
+    ]);
+    f.stop();
   });
 });

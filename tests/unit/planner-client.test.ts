@@ -1,5 +1,8 @@
 import { describe, expect, it } from "vitest";
+import type { MotionChunk } from "../../src/core/motion/types.ts";
 import { defaultScene } from "../../src/core/scene/default-scene.ts";
+import { JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
+import { MotionStore } from "../../src/editor/session/motion-store.ts";
 import { PlannerClient } from "../../src/editor/session/planner-client.ts";
 import type { PlannerRequest, PlannerResponse } from "../../src/workers/protocol.ts";
 
@@ -53,6 +56,33 @@ describe("a planner that dies", () => {
     expect(workers[1].sent.map((m) => m.type)).toEqual(["load", "plan"]);
     expect(workers[1].sent[1]).toMatchObject({ type: "plan", id: newest, now: 1.5, scene: { seed: 9 } });
     expect(workers[1].sent).toHaveLength(2);
+  });
+
+  it("in the middle of synthesis: what has come is kept until the next one has the same frame again", () => {
+    const { client, workers, heard } = setup();
+    workers[0].ready();
+    const id = client.plan(defaultScene(), null);
+    const motion = new MotionStore();
+    const chunk = (first: number, height: number): MotionChunk => ({
+      first,
+      frames: 10,
+      root: new Float32Array(30).fill(height),
+      rotations: new Float32Array(40 * JOINT_COUNT),
+      contacts: new Uint8Array(10),
+    });
+    motion.begin(id, 30);
+    expect(motion.add(id, chunk(0, 1), 5)).toBe(true);
+    workers[0].die();
+    // The same request, under the same id: its answer replaces the half one.
+    expect(workers[1].sent.at(-1)).toMatchObject({ type: "plan", id });
+    motion.begin(id, 30);
+    // A picture is there all the while.
+    expect(motion.current?.filled).toBe(10);
+    for (let first = 0; first < 30; first += 10) motion.add(id, chunk(first, 2), 5);
+    motion.finish(id, [], []);
+    expect(motion.current?.filled).toBe(30);
+    expect(motion.current?.root.every((v) => v === 2)).toBe(true);
+    expect(heard.map((m) => m.type)).toEqual(["ready"]);
   });
 
   it("is told again of the captures that steps are blended of", () => {

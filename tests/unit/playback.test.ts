@@ -1,5 +1,6 @@
 /** The clock of playback: hidden tabs, clocks that jump, motion that is not there yet. */
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { elapsed } from "../../src/core/math/elapsed.ts";
 import type { Editor } from "../../src/editor/editor.ts";
 import { Playback } from "../../src/editor/session/playback.ts";
 
@@ -86,5 +87,14 @@ describe("playback", () => {
     for (let k = 0; k < 700; k++) again.frame(16);
     expect(again.shown.playing).toBe(true);
     expect(again.shown.time).toBeLessThan(2);
+  });
+});
+
+describe("every clock of the pages", () => {
+  it("goes on by what passed, a tenth of a second at most, and never back", () => {
+    expect(elapsed(1000, 1016)).toBeCloseTo(0.016, 12);
+    expect(elapsed(1000, 61_000)).toBe(0.1);
+    expect(elapsed(1000, -5e9)).toBe(0);
+    expect(elapsed(1000, 1e15)).toBe(0.1);
   });
 });

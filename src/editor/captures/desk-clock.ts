@@ -1,4 +1,5 @@
 /** Plays the stretch shown at the desk over and over, at a part of its speed. */
+import { elapsed } from "../../core/math/elapsed.ts";
 
 export interface DeskClockHost {
   /** First frame, one past the last, and frames a second; null while there is nothing to play. */
@@ -45,7 +46,7 @@ export class DeskClock {
       return;
     }
     const now = performance.now();
-    this.toFrame += Math.max(0, Math.min(0.1, (now - this.lastTick) / 1000)) * this.speed * span.rate;
+    this.toFrame += elapsed(this.lastTick, now) * this.speed * span.rate;
     this.lastTick = now;
     if (this.toFrame >= span.last) this.toFrame = span.first;
     this.host.moveTo(Math.min(span.last - 1, Math.floor(this.toFrame)));

@@ -4,14 +4,13 @@ import type { CrowdFootstep } from "../../core/crowd/footfalls.ts";
 import { crowdOfScene } from "../../core/crowd/from-scene.ts";
 import type { PlanStory } from "../../core/crowd/plan-story.ts";
 import type { CrowdWorld } from "../../core/crowd/types.ts";
+import { elapsed } from "../../core/math/elapsed.ts";
 import type { Scene } from "../../core/scene/types.ts";
 import type { CharacterMesh } from "../../view/character/build-mesh.ts";
 import type { CrowdFrame, CrowdRequest, CrowdResponse } from "../../workers/crowd-protocol.ts";
 import type { Editor } from "../editor.ts";
 
 const MOST_DEATHS = 3;
-/** Seconds that a frame at most moves the crowd on: a hidden tab does not catch up. */
-const MOST_PASSED = 0.1;
 /** Milliseconds between looks at the picked walker's plan. */
 const LOOK_EVERY = 120;
 
@@ -157,7 +156,7 @@ export class CrowdSession {
   private tick(): void {
     if (!this.running) return;
     const now = performance.now();
-    const passed = Math.max(0, Math.min(MOST_PASSED, (now - this.lastTick) / 1000));
+    const passed = elapsed(this.lastTick, now);
     this.lastTick = now;
     // The clock waits while the worker catches up.
     if (this.ready && !this.asking) {

@@ -1,4 +1,5 @@
 /** The clock: playing, seeking, stepping; tells the layers what time is shown. */
+import { elapsed } from "../../core/math/elapsed.ts";
 import type { Editor } from "../editor.ts";
 
 export class Playback {
@@ -29,8 +30,7 @@ export class Playback {
     const s = this.e.store.getState();
     if (!s.playing) return;
     const now = performance.now();
-    // A hidden tab does not catch up, and a clock that jumps back stops nothing.
-    const passed = Math.max(0, Math.min(0.1, (now - this.lastTick) / 1000));
+    const passed = elapsed(this.lastTick, now);
     this.lastTick = now;
     let time = s.time + passed * s.speed;
     const { duration } = this.e.plan;

@@ -5,6 +5,8 @@ import type { Scene } from "../../core/scene/types.ts";
 const MARK = "#s=";
 /** Largest scene that a link may unfold to, bytes. */
 const MOST = 4_000_000;
+/** Bytes of a link that are unfolded before the size is looked at; deflate makes them a thousandfold at most. */
+const PIECE = 1024;
 /** Longest address that is handed out, characters: mail programs and chats cut longer ones. */
 export const LONGEST_LINK = 30_000;
 
@@ -45,7 +47,10 @@ export async function sceneFromHash(hash: string): Promise<{ scene: Scene; name:
       if (size > MOST) throw new RangeError("too large");
       parts.push(chunk);
     });
-    inflate.push(fromBase64(hash.slice(MARK.length)), true);
+    const packed = fromBase64(hash.slice(MARK.length));
+    // What is pushed is unfolded at once: a piece is a megabyte at most.
+    for (let at = 0; at < packed.length; at += PIECE)
+      inflate.push(packed.subarray(at, at + PIECE), at + PIECE >= packed.length);
   } catch (error) {
     throw new Error(
       error instanceof RangeError
