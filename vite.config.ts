@@ -3,7 +3,7 @@ import { defineConfig } from "vite";
 import { siteExtras } from "./src/cli/extras-plugin.ts";
 import { lessonPages } from "./src/cli/lesson-plugin.ts";
 import { shippedLibrary } from "./src/cli/library-plugin.ts";
-import { siteSafety } from "./src/cli/site-plugin.ts";
+import { noticeAll, siteSafety } from "./src/cli/site-plugin.ts";
 
 /** Every page of the site: those at the top, and the lessons. */
 function pages(): string[] {
@@ -13,8 +13,8 @@ function pages(): string[] {
 
 export default defineConfig({
   base: "./",
-  plugins: [lessonPages(), shippedLibrary(), siteSafety(), siteExtras()],
-  worker: { format: "es" },
+  plugins: [lessonPages(), shippedLibrary(), siteSafety(), noticeAll(), siteExtras()],
+  worker: { format: "es", plugins: () => [noticeAll()] },
   server: { port: 5173 },
   preview: { port: 4173 },
   build: {

@@ -56,6 +56,18 @@ export function runtimePackages(root: string): RuntimePackage[] {
   return [...found.values()].sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0));
 }
 
+/** Packages that modules come from and that have no notice, in order of their names. */
+export function unnoticed(modules: Iterable<string>, packages: readonly RuntimePackage[]): string[] {
+  const known = new Set(packages.map((p) => p.name));
+  const found = new Set<string>();
+  for (const id of modules) {
+    // The innermost folder counts: packages bring their own along.
+    const [, name] = /.*[\\/]node_modules[\\/]((?:@[^\\/]+[\\/])?[^\\/]+)/.exec(id) ?? [];
+    if (name !== undefined && !known.has(name.replace("\\", "/"))) found.add(name);
+  }
+  return [...found].sort();
+}
+
 /** The notices as one text. */
 export function notices(packages: readonly RuntimePackage[]): string {
   const parts = packages.map(

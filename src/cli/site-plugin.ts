@@ -1,6 +1,6 @@
 /** What the built site carries beside its code: a content security policy, and the notices of what it is made with. */
 import type { Plugin } from "vite";
-import { notices, runtimePackages } from "./notices.ts";
+import { notices, runtimePackages, unnoticed } from "./notices.ts";
 
 /**
  * Scripts, styles and workers of the site alone; no eval, no inline script or style element. Style attributes stay allowed: the parts
@@ -47,6 +47,21 @@ export function siteSafety(): Plugin {
         fileName: "THIRD-PARTY-NOTICES.txt",
         source: notices(runtimePackages(process.cwd())),
       });
+    },
+  };
+}
+
+/** A build that takes in a package without a notice fails: for the pages, and for the workers, which are bundles of their own. */
+export function noticeAll(): Plugin {
+  return {
+    name: "stepwright-notices",
+    apply: "build",
+    generateBundle() {
+      const strangers = unnoticed(this.getModuleIds(), runtimePackages(process.cwd()));
+      if (strangers.length > 0)
+        this.error(
+          `${strangers.join(", ")}: built in, but not among the packages of package.json's sitePackages.`,
+        );
     },
   };
 }

@@ -15,6 +15,7 @@ import planning from "./planning.bench.ts";
 import quality from "./quality.bench.ts";
 import studio from "./studio.bench.ts";
 import styles from "./styles.bench.ts";
+import { table } from "./table.ts";
 import type { BenchModule, BenchOptions, Figure } from "./types.ts";
 
 const MODULES: BenchModule[] = [
@@ -31,9 +32,6 @@ const MODULES: BenchModule[] = [
   studio,
   browser,
 ];
-
-const text = (v: number | null, unit: string): string =>
-  v === null ? "" : `${v >= 100 ? v.toFixed(0) : v.toPrecision(3)} ${unit}`;
 
 /** The figures of one module as `NAME.svg` in a folder. */
 function draw(folder: string, name: string, figures: readonly Figure[]): void {
@@ -87,15 +85,7 @@ export async function main(args: string[]): Promise<number> {
     all.push(...figures);
   }
   if (args.includes("--json")) for (const f of all) console.log(JSON.stringify(f));
-  else {
-    for (const f of all) {
-      const peer = f.peer
-        ? `  ${f.peer} ${text(f.peerMedian, f.unit)}${f.ratio === null ? "" : `, ratio ${f.ratio.toFixed(3)}`}`
-        : "";
-      const goal = f.goal ? `  goal ${f.goal}: ${f.ok ? "met" : "not met"}` : "";
-      console.log(`${f.name.padEnd(44)} ${text(f.median, f.unit).padStart(14)}${peer}${goal}`);
-    }
-  }
+  else console.log(table(all));
   if (!args.includes("--check")) return 0;
   const missed = misses(all);
   for (const m of missed) console.error(m);

@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import { figureBars } from "../../src/plots/figure-bars.ts";
 import { misses } from "../bench/check.ts";
 import { figure } from "../bench/measure.ts";
+import { table } from "../bench/table.ts";
 import type { Figure } from "../bench/types.ts";
 
 const ratio = (value: number): Figure => ({
@@ -23,7 +24,34 @@ describe("bench --check", () => {
 
   it("a slow machine is not held against the code: absolute times and rates are passed over", () => {
     expect(misses([figure("t", "ms", [900], "<= 50 ms", (m) => m <= 50)])).toEqual([]);
+    expect(misses([figure("t", "s", [90], "<= 60 s", (m) => m <= 60)])).toEqual([]);
     expect(misses([figure("r", "frames/s", [900], ">= 10000", (m) => m >= 10000)])).toEqual([]);
+  });
+
+  it("goals with two ends and with thousands are read, with noise at both ends", () => {
+    const within = (v: number) => figure("j", "", [v], "0.7 to 1.4", (m) => m >= 0.7 && m <= 1.4);
+    expect(misses([within(0.65), within(1.5)])).toEqual([]);
+    expect(misses([within(0.6), within(1.6)])).toEqual([
+      "j: 0.600, goal 0.7 to 1.4.",
+      "j: 1.60, goal 0.7 to 1.4.",
+    ]);
+    const many = (v: number) => figure("n", "labels", [v], ">= 30,000", (m) => m >= 30_000);
+    expect(misses([many(28_000)])).toEqual([]);
+    expect(misses([many(20_000)])).toHaveLength(1);
+  });
+
+  it("prints one table: columns aligned, a line a figure, what is not there left out", () => {
+    const lines = table([
+      ratio(0.5),
+      figure("a longer name of a figure", "mm", [1234.5], null, () => true),
+      figure("e", "ms", [], "<= 2 ms", (m) => m <= 2),
+    ]).split("\n");
+    expect(lines).toEqual([
+      "figure                         measured  peer, same run  ratio  goal",
+      "r                              0.500 ms  p 1.00 ms       0.500  ratio <= 0.7  met",
+      "a longer name of a figure       1235 mm",
+      "e                          not measured                         <= 2 ms       not met",
+    ]);
   });
 
   it("what was never measured is missed", () => {

@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { notices, runtimePackages } from "../../src/cli/notices.ts";
+import { notices, runtimePackages, unnoticed } from "../../src/cli/notices.ts";
 
 /** Licences that let anybody use, change and pass on the product. */
 const FREE = [
@@ -36,5 +36,17 @@ describe("licences", () => {
     for (const p of packages) expect(text).toContain(`${p.name} ${p.version} (${p.licence})`);
     expect(packages.filter((p) => p.text.length > 200).length / packages.length).toBeGreaterThan(0.8);
     expect(readFileSync("LICENSE", "utf8")).toMatch(/^MIT License/);
+  });
+
+  it("a package that is built in without a notice is found", () => {
+    const modules = [
+      "/x/node_modules/three/build/three.module.js",
+      "/x/node_modules/@fontsource/stix-two-text/400.css",
+      "/x/node_modules/lit/node_modules/stranger/index.js",
+      "/x/node_modules/@some/where/index.js?worker",
+      "/x/src/editor/main.ts",
+      "\0vite/preload-helper.js",
+    ];
+    expect(unnoticed(modules, packages)).toEqual(["@some/where", "stranger"]);
   });
 });

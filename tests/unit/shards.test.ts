@@ -77,6 +77,57 @@ describe("library in pieces", () => {
     120_000,
   );
 
+  /** A page's script for one piece, with this machine's folders, run as the engine would run it. @returns its exit code. */
+  const piece = (script: string, env: Record<string, string>): Promise<number | null> =>
+    new Promise((resolve) => {
+      spawn("sh", ["-ec", script], { env: { ...process.env, ...env }, stdio: "ignore" }).on("close", resolve);
+    });
+  const mergedAs = async (name: string, pieces: string): Promise<Buffer> => {
+    const all = [1, 2, 3].map((i) => join(pieces, `${i}.bin`));
+    expect(await run("library", "merge", ...all, "--out", at(name))).toBe(0);
+    return readFileSync(at(name));
+  };
+  const section = (title: string, language: string): string =>
+    new RegExp(`## ${title}\\n[\\s\\S]*?\\n\`\`\`${language}\\n([\\s\\S]*?)\`\`\``).exec(
+      readFileSync("docs/scale.md", "utf8"),
+    )?.[1] ?? "";
+  const here = (script: string): string =>
+    script
+      .replaceAll("npm run -s cli --", "node src/cli/launch.mjs")
+      .replace(/--clips (\/data\/)?captures/, `--clips ${clips} --method both`);
+
+  it("Slurm's array, as docs/scale.md has it, gives the same bytes", async () => {
+    const script = section("Slurm", "");
+    expect(script).toContain("#SBATCH --array=1-64");
+    const pieces = at("slurm");
+    const mine = here(script).replace("pieces/", `${pieces}/`);
+    const codes = await Promise.all(
+      ["1", "2", "3"].map((id) =>
+        piece(mine, {
+          SLURM_SUBMIT_DIR: process.cwd(),
+          SLURM_ARRAY_TASK_ID: id,
+          SLURM_ARRAY_TASK_COUNT: "3",
+        }),
+      ),
+    );
+    expect(codes).toEqual([0, 0, 0]);
+    expect((await mergedAs("slurm.bin", pieces)).equals(readFileSync(at("whole.bin")))).toBe(true);
+  }, 120_000);
+
+  it("Kubernetes' indexed Job, as docs/scale.md has it, gives the same bytes", async () => {
+    const manifest = section("Kubernetes", "yaml");
+    expect(manifest).toContain("completionMode: Indexed");
+    const completions = /completions: (\d+)/.exec(manifest)?.[1] ?? "";
+    // Folded lines, as YAML's >- reads them.
+    const folded = / >-\n((?: {14}.*\n)+)/.exec(manifest)?.[1].replace(/\s+/g, " ").trim() ?? "";
+    expect(folded).toContain(`--shard $I/${completions}`);
+    const pieces = at("kubernetes");
+    const mine = here(folded).replace("/data/pieces/", `${pieces}/`).replace(`/${completions}`, "/3");
+    const codes = await Promise.all(["0", "1", "2"].map((i) => piece(mine, { JOB_COMPLETION_INDEX: i })));
+    expect(codes).toEqual([0, 0, 0]);
+    expect((await mergedAs("kubernetes.bin", pieces)).equals(readFileSync(at("whole.bin")))).toBe(true);
+  }, 120_000);
+
   it("a piece given twice, a broken one and a wrong number are refused", async () => {
     const whole = at("whole.bin");
     writeFileSync(at("broken.bin"), readFileSync(whole).subarray(0, 5000));
