@@ -1,6 +1,7 @@
 /** Options of a command: `--name value [value ...]` and plain words. */
-import { mkdirSync } from "node:fs";
+import { existsSync, statSync } from "node:fs";
 import { dirname } from "node:path";
+import { makeFolder } from "./write.ts";
 
 /** Wrong usage: exit code 2. */
 export class UsageError extends Error {
@@ -16,11 +17,13 @@ export interface Options {
  * Reads options.
  *
  * @param known names of options and whether they take values.
- * @throws UsageError for an unknown option or a missing value.
+ * @param words whether the command takes plain words.
+ * @throws UsageError for an unknown option, a missing value or a word that nothing asks for.
  */
 export function readOptions(
   args: readonly string[],
   known: Record<string, "flag" | "one" | "many">,
+  words = false,
 ): Options {
   const out: Options = { words: [], values: new Map() };
   let open: string | null = null;
@@ -33,7 +36,8 @@ export function readOptions(
     } else if (open) {
       out.values.get(open)?.push(a);
       if (known[open] === "one") open = null;
-    } else out.words.push(a);
+    } else if (words) out.words.push(a);
+    else throw new UsageError(`${a}: no word is expected here.`);
   }
   for (const [name, values] of out.values) {
     if (known[name] !== "flag" && values.length === 0) throw new UsageError(`--${name}: a value is needed.`);
@@ -51,22 +55,20 @@ export function needed(o: Options, name: string): string {
   return v;
 }
 
+/** Whether an output names a folder: by its slash, or because it is one. */
+const isFolder = (out: string): boolean =>
+  out.endsWith("/") || (existsSync(out) && statSync(out).isDirectory());
+
 /**
- * Where the results of several inputs go: `DIR/NAME.ext`; of one, the file named. The folder is made, before any work is done for
+ * Where the results of several inputs go, or of one into a folder: `DIR/NAME.ext`; of one, the file named. The folder is made, before any work is done for
  * what could not be kept.
  *
  * @throws Error "DIR: could not be made: ...", or for two inputs of the same name.
  */
 export function outputs(inputs: readonly string[], out: string, extension: string): string[] {
-  const single = inputs.length === 1 && !out.endsWith("/");
-  const folder = single ? dirname(out) : out.replace(/\/$/, "");
-  try {
-    mkdirSync(folder, { recursive: true });
-  } catch (error) {
-    throw new Error(
-      `${folder}: could not be made: ${error instanceof Error ? error.message : String(error)}`,
-    );
-  }
+  const single = inputs.length === 1 && !isFolder(out);
+  const folder = single ? dirname(out) : out.replace(/(?<=.)\/$/, "");
+  makeFolder(folder);
   if (single) return [out];
   const from = new Map<string, string>();
   return inputs.map((i) => {

@@ -27,8 +27,11 @@ const COMMANDS: Record<string, Command> = {
   crowd: crowdCommand,
 };
 
+/** The benchmarks are a program of their own: `launch.mjs` starts it. */
+const BENCH = "bench [--only NAME] [--json] [--check] [--figures DIR]";
+
 const usage = (): string =>
-  ["stepwright COMMAND ...", ...Object.values(COMMANDS).map((c) => `  ${c.usage}`)].join("\n");
+  ["stepwright COMMAND ...", ...Object.values(COMMANDS).map((c) => `  ${c.usage}`), `  ${BENCH}`].join("\n");
 
 /** Runs a command line. @returns the exit code: 0 done, 1 bad input, 2 wrong usage. */
 export async function main(args: string[]): Promise<number> {
@@ -37,6 +40,10 @@ export async function main(args: string[]): Promise<number> {
   if (!command) {
     console.error(name && name !== "--help" ? `${name}: no such command is known.\n${usage()}` : usage());
     return name === "--help" ? 0 : 2;
+  }
+  if (rest.includes("--help")) {
+    console.error(command.usage);
+    return 0;
   }
   try {
     const result = await command.run(rest);

@@ -1,17 +1,32 @@
 /** Reading inputs, with errors that name the file. */
-import { closeSync, fstatSync, openSync, readFileSync, readSync } from "node:fs";
+import { closeSync, existsSync, fstatSync, openSync, readFileSync, readSync } from "node:fs";
 import { StringDecoder } from "node:string_decoder";
 import { type BvhFile, createBvhReader } from "../core/capture/bvh-parse.ts";
 import { type ImportResult, importBvhFile } from "../core/capture/import.ts";
 import type { Sidecar } from "../core/capture/sidecar.ts";
 import { parseSidecar } from "../core/capture/sidecar-file.ts";
 
+/** What the system says of a failure, without its code and the path that the sentence begins with: "no such file or directory". */
+export function why(error: unknown): string {
+  const said = error instanceof Error ? error.message : String(error);
+  return said.replace(/^[A-Z]+: /, "").replace(/, [a-z]+( '.*')?$/, "");
+}
+
+/** A file's bytes. @throws Error "F: could not be read: ..." */
+export function readBytes(path: string): Uint8Array {
+  try {
+    return new Uint8Array(readFileSync(path));
+  } catch (error) {
+    throw new Error(`${path}: could not be read: ${why(error)}.`);
+  }
+}
+
 /** A file's text. @throws Error "F: could not be read: ..." */
 export function readText(path: string): string {
   try {
     return readFileSync(path, "utf8");
   } catch (error) {
-    throw new Error(`${path}: could not be read: ${error instanceof Error ? error.message : String(error)}`);
+    throw new Error(`${path}: could not be read: ${why(error)}.`);
   }
 }
 
@@ -23,7 +38,7 @@ export function readBvhFile(path: string): BvhFile {
   try {
     file = openSync(path, "r");
   } catch (error) {
-    throw new Error(`${path}: could not be read: ${error instanceof Error ? error.message : String(error)}`);
+    throw new Error(`${path}: could not be read: ${why(error)}.`);
   }
   try {
     const stats = fstatSync(file);
@@ -43,13 +58,7 @@ export function readBvhFile(path: string): BvhFile {
 /** A BVH file as a clip on our skeleton. */
 export const readCapture = (path: string): ImportResult => importBvhFile(readBvhFile(path));
 
-/** A sidecar, or null when there is no such file. */
+/** A sidecar, or null when there is no such file. @throws Error for one that cannot be read, or is none. */
 export function readSidecar(path: string): Sidecar | null {
-  let text: string;
-  try {
-    text = readFileSync(path, "utf8");
-  } catch {
-    return null;
-  }
-  return parseSidecar(text, path);
+  return existsSync(path) ? parseSidecar(readText(path), path) : null;
 }

@@ -428,8 +428,8 @@ export const GUARDS = [
     file: "src/editor/session/share.ts",
     guard: 'readScene(JSON.stringify(value.scene ?? null), "This link")',
     without: "value.scene as Scene",
-    tests: "tests/unit/fuzz-links.test.ts",
-    test: "documents of other kinds",
+    tests: "tests/unit/editing.test.ts",
+    test: "hostile",
   },
   {
     name: "frames: another origin is not heard",

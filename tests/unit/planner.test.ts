@@ -115,6 +115,17 @@ describe("planner", () => {
           );
   });
 
+  it("a task farther away than steps are planned has a warning, a near one has none", () => {
+    const far = (z: number): readonly string[] =>
+      planScene(
+        parseScene({ version: 1, tasks: [{ id: "t", category: "turn", position: [0, 0, z], yaw: 1 }] }),
+        fitted,
+        skeleton,
+      ).warnings;
+    expect(far(40)).toEqual([]);
+    expect(far(900)).toEqual(["tasks[0]: 320 steps do not lead there; it is done where they end."]);
+  });
+
   it("the box task uses no pivots where the writing task does [TaskLoco Figure 17]", () => {
     const scene = (category: string) =>
       parseScene({

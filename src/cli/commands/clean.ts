@@ -1,11 +1,11 @@
 /** `clean`: footskate removed; the file keeps its rate, joints and channels. */
-import { writeFileSync } from "node:fs";
 import { parseBvh } from "../../core/capture/bvh-parse.ts";
 import { importBvh } from "../../core/capture/import.ts";
 import { cleanBvh } from "../../core/cleanup/clean-bvh.ts";
 import { rewriteBvh } from "../../core/cleanup/file-motion.ts";
 import { needed, one, outputs, readOptions } from "../args.ts";
 import { readText } from "../read.ts";
+import { writeOutput } from "../write.ts";
 import { detector } from "./contact-model.ts";
 
 export const cleanCommand = {
@@ -20,7 +20,7 @@ export const cleanCommand = {
       const text = readText(f);
       const { clip, report } = importBvh(text, f);
       const { file, report: cleaned } = cleanBvh(parseBvh(text, f), clip, detect(clip));
-      writeFileSync(to[i], rewriteBvh(text, file));
+      writeOutput(to[i], rewriteBvh(text, file));
       return { file: f, frames: report.frames, ...cleaned };
     });
   },

@@ -1,6 +1,4 @@
 /** The contacts of a capture by the method asked for. */
-import { existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
-import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import type { Clip } from "../../core/capture/clip.ts";
 import { CONTACT_METHODS, type ContactMethod, detectContacts } from "../../core/contacts/baselines.ts";
@@ -11,6 +9,8 @@ import { askOracle, type Oracle } from "../../core/contacts/oracle.ts";
 import type { ContactTrack } from "../../core/steps/types.ts";
 import { startingOracle } from "../../studio/starting-oracle.ts";
 import { UsageError } from "../args.ts";
+import { readBytes } from "../read.ts";
+import { keptBeside } from "../write.ts";
 
 export type Detector = (clip: Clip) => ContactTrack;
 
@@ -33,13 +33,7 @@ export function stepDetector(method: string, model: string | undefined): Detecto
 
 /** A model file. @throws ModelError for a broken one, Error "F: could not be read: ..." */
 export function readModel(path: string): Oracle {
-  let bytes: Uint8Array;
-  try {
-    bytes = new Uint8Array(readFileSync(path));
-  } catch (error) {
-    throw new Error(`${path}: could not be read: ${error instanceof Error ? error.message : String(error)}`);
-  }
-  return decodeOracle(bytes, path);
+  return decodeOracle(readBytes(path), path);
 }
 
 /** The starting oracle: made once for each build of the command line and kept beside it. */
@@ -51,13 +45,9 @@ export function startingModel(): Oracle {
 let made: Oracle | null = null;
 
 function makeStarting(): Oracle {
-  const built = fileURLToPath(import.meta.url);
-  const kept = join(dirname(built), "starting-oracle.bin");
-  const keeps = built.endsWith(".mjs");
-  if (keeps && existsSync(kept) && statSync(kept).mtimeMs >= statSync(built).mtimeMs)
-    return decodeOracle(new Uint8Array(readFileSync(kept)), kept);
-  console.error("making the starting oracle from the studio's captures ...");
-  const oracle = startingOracle();
-  if (keeps) writeFileSync(kept, encodeOracle(oracle));
-  return oracle;
+  const bytes = keptBeside(fileURLToPath(import.meta.url), "starting-oracle.bin", () => {
+    console.error("making the starting oracle from the studio's captures ...");
+    return encodeOracle(startingOracle());
+  });
+  return decodeOracle(bytes, "starting-oracle.bin");
 }

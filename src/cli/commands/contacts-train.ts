@@ -1,11 +1,11 @@
 /** `contacts-train`: the oracle's model from labelled clips. */
-import { writeFileSync } from "node:fs";
 import { parseContactsCsv } from "../../core/contacts/csv.ts";
 import { encodeOracle } from "../../core/contacts/model-file.ts";
 import { trackOf } from "../../core/contacts/motion-track.ts";
 import { OWN_ORACLE, PAPER_ORACLE, trainOracle } from "../../core/contacts/oracle.ts";
 import { needed, one, readOptions, UsageError } from "../args.ts";
 import { readCapture, readText } from "../read.ts";
+import { writeOutput } from "../write.ts";
 import { readModel, startingModel } from "./contact-model.ts";
 
 export const contactsTrainCommand = {
@@ -45,7 +45,7 @@ export const contactsTrainCommand = {
       before?.base ?? null,
     );
     const bytes = encodeOracle(oracle);
-    writeFileSync(out, bytes);
+    writeOutput(out, bytes);
     return { file: out, bytes: bytes.length, clips: sources.length, examples: oracle.index.count, features };
   },
 };

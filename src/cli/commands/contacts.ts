@@ -1,8 +1,8 @@
 /** `contacts`: four contact bits a frame of the BVH given, at its own rate. */
-import { writeFileSync } from "node:fs";
 import { contactsCsv } from "../../core/contacts/csv.ts";
 import { needed, one, outputs, readOptions } from "../args.ts";
 import { readCapture } from "../read.ts";
+import { writeOutput } from "../write.ts";
 import { detector } from "./contact-model.ts";
 
 export const contactsCommand = {
@@ -16,7 +16,7 @@ export const contactsCommand = {
     const detect = detector(method, one(o, "model"));
     return files.map((f, i) => {
       const { clip, report } = readCapture(f);
-      writeFileSync(to[i], contactsCsv(detect(clip), clip.rate, report.rate, report.frames));
+      writeOutput(to[i], contactsCsv(detect(clip), clip.rate, report.rate, report.frames));
       return { file: f, frames: report.frames, method, warnings: report.warnings };
     });
   },

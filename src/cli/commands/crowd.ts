@@ -1,5 +1,4 @@
 /** `crowd`: SteerSuite cases or scenes with a crowd into trajectories and footsteps. */
-import { writeFileSync } from "node:fs";
 import { crowdOfScene } from "../../core/crowd/from-scene.ts";
 import { simulateCrowd } from "../../core/crowd/simulate.ts";
 import { readSteerCase } from "../../core/crowd/steer-case.ts";
@@ -7,6 +6,7 @@ import { trajectoryOf } from "../../core/crowd/trajectory.ts";
 import { readScene } from "../../core/scene/schema.ts";
 import { needed, one, outputs, readOptions, UsageError } from "../args.ts";
 import { readText } from "../read.ts";
+import { writeOutput } from "../write.ts";
 
 export const crowdCommand = {
   usage: "crowd --case F.xml|F.json ... --out F.json | DIR/ [--seconds N]",
@@ -37,7 +37,7 @@ export const crowdCommand = {
           return true;
         },
       });
-      writeFileSync(to[i], JSON.stringify(trajectoryOf(track, ms)));
+      writeOutput(to[i], JSON.stringify(trajectoryOf(track, ms)));
       return {
         case: file,
         agents: world.agents.length,

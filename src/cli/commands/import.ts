@@ -1,8 +1,8 @@
 /** `import`: what a BVH file holds, and the same motion on our skeleton. */
-import { writeFileSync } from "node:fs";
 import { writeBvh } from "../../core/capture/bvh-write.ts";
 import { needed, one, outputs, readOptions } from "../args.ts";
 import { readCapture } from "../read.ts";
+import { writeOutput } from "../write.ts";
 
 export const importCommand = {
   usage: "import --bvh F... [--out F.bvh | DIR/]",
@@ -14,7 +14,7 @@ export const importCommand = {
     const to = out === undefined ? null : outputs(files, out, "bvh");
     const reports = files.map((f, i) => {
       const { clip, report } = readCapture(f);
-      if (to) writeFileSync(to[i], writeBvh(clip));
+      if (to) writeOutput(to[i], writeBvh(clip));
       return { file: f, ...report };
     });
     return reports.length === 1 ? reports[0] : reports;

@@ -1,13 +1,14 @@
 /** `library`: captures into the library of templates; without `--clips`, the studio's set. */
-import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { readdirSync } from "node:fs";
+import { join } from "node:path";
 import { buildLibrary, type Capture, mergeLibraries } from "../../core/templates/build-library.ts";
 import { decodeLibrary, encodeLibrary } from "../../core/templates/library-file.ts";
 import type { Library } from "../../core/templates/types.ts";
 import { renderScore } from "../../studio/render.ts";
 import { studioSet } from "../../studio/set.ts";
 import { baseName, needed, one, readOptions, UsageError } from "../args.ts";
-import { readCapture, readSidecar } from "../read.ts";
+import { readBytes, readCapture, readSidecar, why } from "../read.ts";
+import { writeOutput } from "../write.ts";
 import { type Detector, stepDetector } from "./contact-model.ts";
 
 /** Every N-th of a sorted list from the I-th on: `--shard I/N`. */
@@ -30,12 +31,25 @@ export function studioCaptures(
   });
 }
 
-function folderCaptures(folder: string, shard: [number, number], detect: Detector): Capture[] {
+function filesIn(folder: string): string[] {
+  try {
+    return readdirSync(folder);
+  } catch (error) {
+    throw new Error(`${folder}: could not be read: ${why(error)}.`);
+  }
+}
+
+/** @param detector makes what finds the contacts, once there is something to find them in. */
+function folderCaptures(folder: string, shard: [number, number], detector: () => Detector): Capture[] {
   // In order of their names, as merging sorts them: the library is the same however it was divided.
-  const names = readdirSync(folder)
+  const names = filesIn(folder)
     .filter((f) => f.toLowerCase().endsWith(".bvh"))
     .sort((a, b) => (baseName(a) < baseName(b) ? -1 : 1));
+  // A piece may be empty, the whole may not: a folder mistyped would be a library of nothing.
+  if (names.length === 0) throw new Error(`${folder}: no BVH file is in it.`);
   const files = shardOf(names, shard);
+  if (files.length === 0) return [];
+  const detect = detector();
   return files.map((f, i) => {
     console.error(`${i + 1}/${files.length} ${f}`);
     const path = join(folder, f);
@@ -50,13 +64,9 @@ function folderCaptures(folder: string, shard: [number, number], detect: Detecto
   });
 }
 
-function readLibrary(path: string): Library {
-  let bytes: Uint8Array;
-  try {
-    bytes = readFileSync(path);
-  } catch (error) {
-    throw new Error(`${path}: could not be read: ${error instanceof Error ? error.message : String(error)}`);
-  }
+/** A library file. @throws Error that begins with its path. */
+export function readLibrary(path: string): Library {
+  const bytes = readBytes(path);
   try {
     return decodeLibrary(bytes);
   } catch (error) {
@@ -65,9 +75,8 @@ function readLibrary(path: string): Library {
 }
 
 function write(library: Library, out: string): object {
-  mkdirSync(dirname(out), { recursive: true });
   const bytes = encodeLibrary(library);
-  writeFileSync(out, bytes);
+  writeOutput(out, bytes);
   return {
     file: out,
     bytes: bytes.length,
@@ -81,9 +90,11 @@ export const libraryCommand = {
   usage:
     "library [--clips DIR] --out F [--shard I/N] [--method oracle|height|speed|both] [--model F] | library merge A B ... --out F",
   run(args: string[]) {
-    const o = readOptions(args, { clips: "one", out: "one", shard: "one", method: "one", model: "one" });
+    const merge = args[0] === "merge";
+    const known = { clips: "one", out: "one", shard: "one", method: "one", model: "one" } as const;
+    const o = readOptions(args, merge ? { out: "one" } : known, merge);
     const out = needed(o, "out");
-    if (o.words[0] === "merge") {
+    if (merge) {
       if (o.words.length < 2) throw new UsageError("merge: files are needed.");
       return write(mergeLibraries(o.words.slice(1).map(readLibrary)), out);
     }
@@ -92,7 +103,7 @@ export const libraryCommand = {
       throw new UsageError("--shard: I/N with 1 <= I <= N is needed.");
     const clips = one(o, "clips");
     const captures = clips
-      ? folderCaptures(clips, shard, stepDetector(one(o, "method") ?? "oracle", one(o, "model")))
+      ? folderCaptures(clips, shard, () => stepDetector(one(o, "method") ?? "oracle", one(o, "model")))
       : studioCaptures((t) => console.error(t), shard);
     return write(buildLibrary(captures), out);
   },

@@ -1,5 +1,5 @@
 /** `plan`: scenes into footsteps and whole motions; a result is planned anew and laid beside the new plan. */
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { type BlendLibrary, bakeLibrary } from "../../core/blending/library.ts";
 import { ownCycle, withOwnCycles } from "../../core/blending/own-cycles.ts";
 import type { CyclicSource } from "../../core/blending/types.ts";
@@ -10,6 +10,7 @@ import { type Beside, besidePerformance } from "../../core/quality/footstep-dist
 import { measureMotion } from "../../core/quality/measure.ts";
 import { footstepsOf, type ResultDocument, resultDocument } from "../../core/scene/result.ts";
 import { readSceneOrResult } from "../../core/scene/result-schema.ts";
+import type { Scene } from "../../core/scene/types.ts";
 import { createSkeleton, type Skeleton } from "../../core/skeleton/skeleton.ts";
 import { goalsOf } from "../../core/tasks/plan-scene.ts";
 import type { Plan } from "../../core/tasks/plan-types.ts";
@@ -19,20 +20,41 @@ import { retargetLibrary } from "../../core/templates/retarget-library.ts";
 import type { Library } from "../../core/templates/types.ts";
 import { cyclicSources } from "../../studio/blend-library.ts";
 import { styleFamilies } from "../../studio/style-families.ts";
+import { STYLES } from "../../studio/styles.ts";
 import { baseName, needed, one, outputs, readOptions } from "../args.ts";
 import { readCapture, readText } from "../read.ts";
-import { studioCaptures } from "./library.ts";
+import { keptBeside, writeOutput } from "../write.ts";
+import { readLibrary, studioCaptures } from "./library.ts";
 
-/** Where the shipped library is kept once it has been made. */
-const SHIPPED = "public/generated/library.bin";
-
+/** The studio's library, as the site has it. */
 function shippedLibrary(): Library {
-  if (!existsSync(SHIPPED)) {
-    console.error("making the library ...");
-    mkdirSync("public/generated", { recursive: true });
-    writeFileSync(SHIPPED, encodeLibrary(buildLibrary(studioCaptures(() => undefined))));
+  return decodeLibrary(
+    keptBeside(fileURLToPath(import.meta.url), "library.bin", () => {
+      console.error("making the library from the studio's captures ...");
+      return encodeLibrary(buildLibrary(studioCaptures(() => undefined)));
+    }),
+  );
+}
+
+/** Styles that none of ours has, told before the work. @throws Error with the place. */
+function checkStyles(scene: Scene, file: string): void {
+  scene.paths.forEach((p, i) => {
+    p.styles.forEach(({ style }, k) => {
+      if (!(STYLES as readonly string[]).includes(style))
+        throw new Error(
+          `${file}: paths[${i}].styles[${k}].style: one of ${STYLES.join(", ")} is needed, found ${JSON.stringify(style)}.`,
+        );
+    });
+  });
+}
+
+/** Does something for a scene, its failures told with the file. */
+function naming<T>(file: string, act: () => T): T {
+  try {
+    return act();
+  } catch (error) {
+    throw new Error(`${file}: ${error instanceof Error ? error.message : String(error)}`);
   }
-  return decodeLibrary(readFileSync(SHIPPED));
 }
 
 /** What is kept from scene to scene for one character. */
@@ -75,14 +97,19 @@ export const planCommand = {
     needed(o, "scene");
     const files = o.values.get("scene") ?? [];
     const out = needed(o, "out");
-    const many = files.length > 1 || out.endsWith("/");
     const to = outputs(files, out, "json");
+    const many = files.length > 1 || to[0] !== out;
     const library = one(o, "library");
-    const base = once(() => (library ? decodeLibrary(readFileSync(library)) : shippedLibrary()));
-    const sources = once(() => withOwnClips(o.values.get("cycles") ?? []));
+    const base = once(() => (library ? readLibrary(library) : shippedLibrary()));
+    const cycles = o.values.get("cycles") ?? [];
+    const sources = once(() => withOwnClips(cycles));
+    // What is given and broken is told even where the scene has no use for it.
+    if (library) base();
+    if (cycles.length > 0) sources();
     const kept = new Map<string, Character>();
     const rows = files.map((f, i) => {
       const { scene, result } = readSceneOrResult(readText(f), f);
+      checkStyles(scene, f);
       const { height, proportions } = scene.character;
       const key = JSON.stringify([height, proportions]);
       const skeleton = createSkeleton(height, proportions);
@@ -93,12 +120,14 @@ export const planCommand = {
         cache: new Map(),
       };
       kept.set(key, character);
-      const { plan, clip, contacts } = planWhole(scene, skeleton, {
-        library: character.library,
-        families: (styles) => styleFamilies(styles, skeleton),
-        blends: character.blends,
-        cache: character.cache,
-      });
+      const { plan, clip, contacts } = naming(f, () =>
+        planWhole(scene, skeleton, {
+          library: character.library,
+          families: (styles) => styleFamilies(styles, skeleton),
+          blends: character.blends,
+          cache: character.cache,
+        }),
+      );
       const chunk = {
         first: 0,
         frames: clip.frames,
@@ -107,9 +136,9 @@ export const planCommand = {
         contacts,
       };
       const quality = measureMotion(skeleton, [chunk], clip.frames, plan, goalsOf(scene));
-      writeFileSync(to[i], `${JSON.stringify(resultDocument(scene, plan, contacts, quality))}\n`);
+      writeOutput(to[i], `${JSON.stringify(resultDocument(scene, plan, contacts, quality))}\n`);
       const bvh = many ? to[i].replace(/\.json$/, ".bvh") : one(o, "bvh");
-      if (bvh) writeFileSync(bvh, writeBvh({ ...clip, name: f }));
+      if (bvh) writeOutput(bvh, writeBvh({ ...clip, name: f }));
       return {
         scene: f,
         footsteps: plan.steps.length,

@@ -1,8 +1,8 @@
 /** `steps`: a capture's steps with category, phase, lift and land. */
-import { writeFileSync } from "node:fs";
 import { prepareClip } from "../../core/templates/build-library.ts";
 import { baseName, needed, one, outputs, readOptions } from "../args.ts";
 import { readCapture, readSidecar } from "../read.ts";
+import { writeOutput } from "../write.ts";
 import { stepDetector } from "./contact-model.ts";
 
 export const stepsCommand = {
@@ -31,7 +31,7 @@ export const stepsCommand = {
         position: [s.to.x, s.to.y, s.to.z],
         yaw: s.to.yaw,
       }));
-      writeFileSync(to[i], `${JSON.stringify({ version: 1, file: f, steps }, null, 2)}\n`);
+      writeOutput(to[i], `${JSON.stringify({ version: 1, file: f, steps }, null, 2)}\n`);
       return { file: f, steps: steps.length };
     });
   },

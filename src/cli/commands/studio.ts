@@ -1,5 +1,4 @@
 /** `studio`: every capture that ships, as BVH with its sidecar; or one that a score tells. */
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { writeBvh } from "../../core/capture/bvh-write.ts";
 import { wearClip } from "../../studio/realism.ts";
@@ -7,7 +6,9 @@ import { renderScore } from "../../studio/render.ts";
 import { LAYERS, type Layer, type Score } from "../../studio/score.ts";
 import { readScore, writeScore } from "../../studio/score-file.ts";
 import { everyScore } from "../../studio/set.ts";
-import { needed, one, readOptions } from "../args.ts";
+import { needed, one, readOptions, UsageError } from "../args.ts";
+import { readText } from "../read.ts";
+import { makeFolder, writeOutput } from "../write.ts";
 
 export const studioCommand = {
   usage: "studio --out DIR [--only NAME | --score F.json] [--without LAYER,...] [--worn SEED] [--scores]",
@@ -26,8 +27,8 @@ export const studioCommand = {
     const worn = one(o, "worn");
     const seed = worn === undefined ? null : Number(worn);
     if (seed !== null && !Number.isInteger(seed))
-      throw new Error(`--worn: an integer is needed, found ${JSON.stringify(worn)}.`);
-    mkdirSync(out, { recursive: true });
+      throw new UsageError(`--worn: an integer is needed, found ${JSON.stringify(worn)}.`);
+    makeFolder(out);
     return {
       captures: set.map((plain, i) => {
         const score = without.length > 0 ? { ...plain, without } : plain;
@@ -35,9 +36,9 @@ export const studioCommand = {
         console.error(`${i + 1}/${set.length} ${name}`);
         const { clip, sidecar } = renderScore(score);
         const shown = seed === null ? clip : wearClip(clip, seed + i);
-        writeFileSync(join(out, `${name}.bvh`), writeBvh(shown));
-        writeFileSync(join(out, `${name}.json`), `${JSON.stringify(sidecar)}\n`);
-        if (o.values.has("scores")) writeFileSync(join(out, `${name}.score.json`), writeScore(score));
+        writeOutput(join(out, `${name}.bvh`), writeBvh(shown));
+        writeOutput(join(out, `${name}.json`), `${JSON.stringify(sidecar)}\n`);
+        if (o.values.has("scores")) writeOutput(join(out, `${name}.score.json`), writeScore(score));
         return { name, seconds: clip.frames / clip.rate, tasks: sidecar.tasks.length };
       }),
     };
@@ -46,9 +47,10 @@ export const studioCommand = {
 
 function chosen(only: string | undefined, file: string | undefined): Score[] {
   if (file !== undefined) {
-    if (only !== undefined) throw new Error("--only and --score: one of the two.");
+    if (only !== undefined) throw new UsageError("--only and --score: one of the two.");
+    const text = readText(file);
     try {
-      return [readScore(readFileSync(file, "utf8"))];
+      return [readScore(text)];
     } catch (error) {
       throw new Error(`${file}: ${error instanceof Error ? error.message : String(error)}`);
     }
@@ -56,7 +58,7 @@ function chosen(only: string | undefined, file: string | undefined): Score[] {
   const set = everyScore()
     .filter((s) => only === undefined || s.name === only)
     .map((s) => s.score);
-  if (set.length === 0) throw new Error(`--only: no capture is called ${JSON.stringify(only)}.`);
+  if (set.length === 0) throw new UsageError(`--only: no capture is called ${JSON.stringify(only)}.`);
   return set;
 }
 
@@ -65,7 +67,9 @@ function layersNamed(text: string | undefined): Layer[] {
   return text.split(",").map((name) => {
     const layer = LAYERS.find((l) => l === name.trim());
     if (!layer)
-      throw new Error(`--without: one of ${LAYERS.join(", ")} is needed, found ${JSON.stringify(name)}.`);
+      throw new UsageError(
+        `--without: one of ${LAYERS.join(", ")} is needed, found ${JSON.stringify(name)}.`,
+      );
     return layer;
   });
 }

@@ -73,6 +73,10 @@ export function planPaths(
     for (const q of p.points) points.push([q[0], q[1]]);
     lengths.push(lengthOf(points));
   });
+  if (!points.some((q) => q[0] !== points[0][0] || q[1] !== points[0][1]))
+    throw new RangeError(
+      `paths[${scene.paths.indexOf(paths[0])}].points: two different points are needed, found 1.`,
+    );
   const path = createPath(
     points,
     paths.every((p) => p.smooth),

@@ -17,7 +17,7 @@ const SHARP = 0.6;
 
 const MORE_TURN = 0.45;
 
-/** Most walking steps in one transition: a guard, 200 m. */
+/** Most walking steps in one transition: a guard, some 180 m. */
 const MOST_STEPS = 320;
 
 /** PlanLocomotionPhase: walking steps along the route, then the preparation of the entry. */
@@ -77,6 +77,10 @@ export function planLocomotion(context: Context, entry: Aim, index: number): voi
     context.lastFoot = foot;
     after = { clip: step.clip, step: step.step };
   }
+  if (fresh.length === MOST_STEPS)
+    context.plan.warnings.push(
+      `tasks[${index}]: ${MOST_STEPS} steps do not lead there; it is done where they end.`,
+    );
   prepareEntry(context, entry, index, fresh, beforeLocomotion, earlier);
   context.feet = beforeLocomotion;
   context.lastFoot = beforeFoot;
