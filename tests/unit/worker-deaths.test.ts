@@ -7,6 +7,7 @@ import { CompareSession } from "../../src/editor/compare/session.ts";
 import { CrowdSession } from "../../src/editor/crowd/crowd-session.ts";
 import type { Editor } from "../../src/editor/editor.ts";
 import { CharacterSession } from "../../src/editor/session/character-session.ts";
+import { walkTool } from "../../src/editor/tools/walk.ts";
 import { START } from "../../src/studio-page/settings.ts";
 import { WalkSession } from "../../src/studio-page/walk-session.ts";
 
@@ -34,7 +35,13 @@ beforeEach(() => {
   Mortal.all = [];
   vi.stubGlobal("Worker", Mortal);
   vi.stubGlobal("requestAnimationFrame", () => 0);
-  vi.stubGlobal("window", { matchMedia: () => ({ matches: true }) });
+  vi.stubGlobal("cancelAnimationFrame", () => undefined);
+  const none = (): void => undefined;
+  vi.stubGlobal("window", {
+    matchMedia: () => ({ matches: true }),
+    addEventListener: none,
+    removeEventListener: none,
+  });
 });
 
 /** As much of an editor as the sessions ask. */
@@ -97,6 +104,31 @@ describe("a worker that dies", () => {
     die();
     expect(Mortal.all).toHaveLength(4);
     expect(said.at(-1)).toBe("The studio stops each time it walks. Reload the page.");
+  });
+
+  it("that of walking by hand: the tool is put down, with one sentence, and begins anew when taken up", () => {
+    const { e, said } = editor(defaultScene());
+    const state: { status: string | null; tools: string[] } = { status: null, tools: [] };
+    Object.assign(e, {
+      playback: { setPlaying: () => 0, show: () => 0 },
+      plan: { motion: { current: null } },
+      set: (change: { status: string | null }) => Object.assign(state, change),
+      tools: {
+        use(id: string) {
+          state.tools.push(id);
+          walkTool.leave?.(e);
+        },
+      },
+    });
+    walkTool.enter?.(e);
+    expect(kinds(newest())).toEqual(["start"]);
+    die();
+    expect(newest().ended).toBe(true);
+    expect(state).toEqual({ status: null, tools: ["select"] });
+    expect(said).toEqual(["The walk stopped. Take the tool up again."]);
+    walkTool.enter?.(e);
+    expect(Mortal.all).toHaveLength(2);
+    expect(kinds(newest())).toEqual(["start"]);
   });
 
   it("that of the left-out performance: one sentence, and the next try has a new one", () => {
