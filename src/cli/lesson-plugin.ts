@@ -79,9 +79,7 @@ export function lessonPages(): Plugin {
         response.end(text);
       });
     },
-    generateBundle(_, bundle) {
-      // Workers are bundles of their own.
-      if (!Object.keys(bundle).some((f) => f.endsWith(".html"))) return;
+    generateBundle() {
       for (const [name, source] of codePages(process.cwd()))
         this.emitFile({ type: "asset", fileName: `code/${name}`, source });
     },

@@ -39,9 +39,7 @@ export function siteSafety(): Plugin {
         ],
       }),
     },
-    generateBundle(_, bundle) {
-      // Workers are bundles of their own; the page's bundle carries the notices.
-      if (!Object.keys(bundle).some((f) => f.endsWith(".html"))) return;
+    generateBundle() {
       this.emitFile({
         type: "asset",
         fileName: "THIRD-PARTY-NOTICES.txt",

@@ -1,6 +1,7 @@
 /** `npm run bench`: every figure beside its peer, measured in the same run. */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { type Options, one, readOptions, UsageError } from "../../src/cli/args.ts";
 import { figureBars } from "../../src/plots/figure-bars.ts";
 import blending from "./blending.bench.ts";
 import browser from "./browser.bench.ts";
@@ -33,6 +34,17 @@ const MODULES: BenchModule[] = [
   browser,
 ];
 
+const KNOWN = {
+  only: "one",
+  json: "flag",
+  check: "flag",
+  figures: "one",
+  instances: "one",
+  reference: "one",
+  out: "one",
+} as const;
+const USAGE = `bench [--only ${MODULES.map((m) => m.name).join("|")}] [--json] [--check] [--figures DIR] | bench --only optimiser --instances F --reference F [--out F]`;
+
 /** The figures of one module as `NAME.svg` in a folder. */
 function draw(folder: string, name: string, figures: readonly Figure[]): void {
   const bars = figures
@@ -56,10 +68,19 @@ function draw(folder: string, name: string, figures: readonly Figure[]): void {
  * @returns exit code 0, 1 when `--check` finds a goal missed by more than noise, or 2 for wrong usage.
  */
 export async function main(args: string[]): Promise<number> {
-  const value = (name: string): string | null => {
-    const i = args.indexOf(`--${name}`);
-    return i >= 0 ? (args[i + 1] ?? null) : null;
-  };
+  if (args.includes("--help")) {
+    console.error(USAGE);
+    return 0;
+  }
+  let given: Options;
+  try {
+    given = readOptions(args, KNOWN);
+  } catch (error) {
+    if (!(error instanceof UsageError)) throw error;
+    console.error(`${error.message}\n  ${USAGE}`);
+    return 2;
+  }
+  const value = (name: string): string | null => one(given, name) ?? null;
   const only = value("only");
   const chosen = MODULES.filter((m) => only === null || m.name === only);
   if (chosen.length === 0) {
@@ -84,9 +105,9 @@ export async function main(args: string[]): Promise<number> {
     }
     all.push(...figures);
   }
-  if (args.includes("--json")) for (const f of all) console.log(JSON.stringify(f));
+  if (given.values.has("json")) for (const f of all) console.log(JSON.stringify(f));
   else console.log(table(all));
-  if (!args.includes("--check")) return 0;
+  if (!given.values.has("check")) return 0;
   const missed = misses(all);
   for (const m of missed) console.error(m);
   return missed.length > 0 ? 1 : 0;

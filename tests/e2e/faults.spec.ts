@@ -1,4 +1,6 @@
 /** What goes wrong in browsers: the page says so, goes on, and loses nothing. */
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
 import { expect, type Page, test } from "@playwright/test";
 
 const finishedCount = (page: Page): Promise<number> =>
@@ -19,7 +21,7 @@ async function restingBrightness(page: Page, path: string): Promise<number> {
         before = now;
         return same;
       },
-      { timeout: 20_000 },
+      { timeout: 60_000 },
     )
     .toBe(true);
   return before;
@@ -174,4 +176,18 @@ test("storage closed: the page works and says that nothing is kept", async ({ pa
   await page.keyboard.press("r");
   await page.waitForFunction(() => window.stepwright?.state().saved === "off");
   expect(await page.evaluate(() => window.stepwright?.state().scene.tasks.length)).toBe(4);
+});
+
+test("what the built pages point to is there: the server answers for what is not with the editor", () => {
+  const site = join("dist", "site");
+  const pages = readdirSync(site, { recursive: true, encoding: "utf8" }).filter((f) => f.endsWith(".html"));
+  expect(pages.length).toBeGreaterThan(8);
+  expect(existsSync(join(site, "THIRD-PARTY-NOTICES.txt"))).toBe(true);
+  const missing = pages.flatMap((page) =>
+    [...readFileSync(join(site, page), "utf8").matchAll(/\s(?:href|src)="([^"#?]+)/g)]
+      .map(([, to]) => to)
+      .filter((to) => !/^[a-z]+:/.test(to) && !existsSync(join(site, dirname(page), to)))
+      .map((to) => `${page}: ${to}`),
+  );
+  expect([...new Set(missing)]).toEqual([]);
 });
