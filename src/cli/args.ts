@@ -1,6 +1,6 @@
 /** Options of a command: `--name value [value ...]` and plain words. */
 import { existsSync, statSync } from "node:fs";
-import { dirname } from "node:path";
+import { dirname, resolve } from "node:path";
 import { makeFolder } from "./write.ts";
 
 /** Wrong usage: exit code 2. */
@@ -63,7 +63,7 @@ const isFolder = (out: string): boolean =>
  * Where the results of several inputs go, or of one into a folder: `DIR/NAME.ext`; of one, the file named. The folder is made, before any work is done for
  * what could not be kept.
  *
- * @throws Error "DIR: could not be made: ...", or for two inputs of the same name.
+ * @throws Error "DIR: could not be made: ...", or for results that would overwrite each other or their input.
  */
 export function outputs(inputs: readonly string[], out: string, extension: string): string[] {
   const single = inputs.length === 1 && !isFolder(out);
@@ -75,6 +75,8 @@ export function outputs(inputs: readonly string[], out: string, extension: strin
     const to = `${folder}/${baseName(i)}.${extension}`;
     const other = from.get(to) ?? i;
     if (other !== i) throw new Error(`${i}: its result would take the place of that of ${other}, ${to}.`);
+    if (resolve(to) === resolve(i))
+      throw new Error(`${i}: its result would take its own place; another folder is needed.`);
     from.set(to, i);
     return to;
   });

@@ -26,6 +26,14 @@ describe("where results go", () => {
     );
   });
 
+  it("a result that would overwrite its input is told before the work", () => {
+    const scene = join(folder, "scene.json");
+    expect(() => outputs([scene], `${folder}/`, "json")).toThrow(
+      `${scene}: its result would take its own place; another folder is needed.`,
+    );
+    expect(outputs([scene], `${folder}/`, "csv")).toEqual([join(folder, "scene.csv")]);
+  });
+
   it("a folder that cannot be made is told before the work", () => {
     writeFileSync(join(folder, "file"), "");
     expect(() => outputs(["a", "b"], join(folder, "file/in"), "csv")).toThrow(
