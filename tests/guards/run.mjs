@@ -51,8 +51,8 @@ function soundBefore() {
   const unit = files.filter((f) => !inBrowser(f));
   const said = [];
   if (unit.length > 0) {
-    const { status, stdout } = run("vitest", "run", ...unit);
-    if (status !== 0) said.push(stdout);
+    const { status, stdout, stderr } = run("vitest", "run", ...unit);
+    if (status !== 0) said.push(`${stdout}${stderr}`);
   }
   const titles = new Map(chosen.filter((g) => inBrowser(g.tests)).map((g) => [g.test, g.tests]));
   for (const [title, file] of titles) {

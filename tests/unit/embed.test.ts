@@ -1,4 +1,4 @@
-import { expect, test } from "vitest";
+import { afterAll, beforeAll, expect, test, vi } from "vitest";
 import { defaultScene } from "../../src/core/scene/default-scene.ts";
 import type { StepwrightScene } from "../../src/embed/element.ts";
 import { act } from "../../src/embed/frame-api.ts";
@@ -7,7 +7,12 @@ import { PlannerHub } from "../../src/embed/planner-hub.ts";
 import type { PlannerRequest, PlannerResponse } from "../../src/workers/protocol.ts";
 
 // Addresses are taken from the document's, of which there is none here.
-Object.assign(globalThis, { document: { baseURI: "http://localhost/" } });
+beforeAll(() => {
+  vi.stubGlobal("document", { baseURI: "http://localhost/" });
+});
+afterAll(() => {
+  vi.unstubAllGlobals();
+});
 
 /** A worker that only notes what it is sent. */
 class FakeWorker {

@@ -1,4 +1,4 @@
-import { afterEach, describe, expect, it, vi } from "vitest";
+import { afterAll, afterEach, describe, expect, it, vi } from "vitest";
 import { defaultScene } from "../../src/core/scene/default-scene.ts";
 
 /** What the database does next. */
@@ -28,6 +28,10 @@ const working = () =>
 const within = (range: { lower: string; upper: string }) =>
   [...kept].filter(([key]) => key >= range.lower && key <= range.upper).sort(([a], [b]) => (a < b ? -1 : 1));
 vi.stubGlobal("IDBKeyRange", { bound: (lower: string, upper: string) => ({ lower, upper }) });
+
+afterAll(() => {
+  vi.unstubAllGlobals();
+});
 
 describe("storage that fails", () => {
   afterEach(() => {

@@ -1,5 +1,6 @@
+// @vitest-environment happy-dom
 /** Workers that die at work, one client after the other: replaced, asked again, and left alone when they die each time. */
-import { beforeEach, describe, expect, it, vi } from "vitest";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { defaultScene } from "../../src/core/scene/default-scene.ts";
 import { parseScene } from "../../src/core/scene/schema.ts";
 import type { Scene } from "../../src/core/scene/types.ts";
@@ -36,12 +37,10 @@ beforeEach(() => {
   vi.stubGlobal("Worker", Mortal);
   vi.stubGlobal("requestAnimationFrame", () => 0);
   vi.stubGlobal("cancelAnimationFrame", () => undefined);
-  const none = (): void => undefined;
-  vi.stubGlobal("window", {
-    matchMedia: () => ({ matches: true }),
-    addEventListener: none,
-    removeEventListener: none,
-  });
+  vi.stubGlobal("matchMedia", () => ({ matches: true }));
+});
+afterEach(() => {
+  vi.unstubAllGlobals();
 });
 
 /** As much of an editor as the sessions ask. */
