@@ -125,8 +125,14 @@ export class Editor {
   private resize(): void {
     const box = this.places.viewport.getBoundingClientRect();
     const floats = window.innerWidth < 1200 && window.innerWidth >= 760;
-    const left = window.innerWidth < 760 ? 0 : 56;
-    this.stage.resize(box.width, box.height, { left, top: 0, right: floats ? 284 : 0, bottom: 0 });
+    const narrow = window.innerWidth < 760;
+    // The figures stand at the top; at the bottom the legend, or a tool's choices over the sheet's edge.
+    this.stage.resize(box.width, box.height, {
+      left: narrow ? 0 : 56,
+      top: 40,
+      right: floats ? 284 : 0,
+      bottom: narrow ? 84 : 40,
+    });
     const tracks = this.places.timeline.getBoundingClientRect();
     this.tracksSize = { width: Math.max(240, tracks.width - 24), height: Math.max(60, tracks.height - 54) };
     this.redraw();
@@ -142,6 +148,16 @@ export class Editor {
     this.stage.frame([
       [scene.start.position[0], 0, scene.start.position[1]],
       ...this.things().map((t): [number, number, number] => [t.position[0], t.position[1], t.position[2]]),
+      // Walls are seen to their ends.
+      ...scene.props
+        .filter((p) => p.kind === "wall")
+        .flatMap(({ position: [x, , z], yaw, size: [width] }) =>
+          [-width / 2, width / 2].map((a): [number, number, number] => [
+            x + a * Math.cos(yaw),
+            0,
+            z - a * Math.sin(yaw),
+          ]),
+        ),
       ...scene.paths.flatMap((p) => p.points.map((q): [number, number, number] => [q[0], 0, q[1]])),
     ]);
   }

@@ -1,7 +1,6 @@
 /** The room: a matt floor with a grid drawn in its shader, two walls that meet it in a cove, soft light. */
 import {
   BufferGeometry,
-  CircleGeometry,
   Color,
   DirectionalLight,
   DoubleSide,
@@ -12,6 +11,7 @@ import {
   LightProbe,
   Mesh,
   MeshStandardMaterial,
+  PlaneGeometry,
   type Scene,
   SphericalHarmonics3,
 } from "three";
@@ -39,6 +39,8 @@ export interface Room {
   setTheme(theme: Theme): void;
   /** Takes the walls away and the fog far off, for crowds that need the floor. */
   setOpen(open: boolean): void;
+  /** How far the viewer is from what is looked at, metres: the fog begins behind it. */
+  seenFrom(metres: number): void;
   /** Whether the floor is drawn: not where a scene has ground of its own. */
   showFloor(shown: boolean): void;
   /** Shadows of 512 pixels while frames are spared, of 2048 otherwise. */
@@ -103,7 +105,8 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 0.25, 1.0) *
 diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * uCoarse * fade);`,
       );
   };
-  const floor = new Mesh(new CircleGeometry(30, 64).rotateX(-Math.PI / 2), floorMaterial);
+  // In squares: of a fan whose triangles all meet under the viewer, one could be left out where the camera stands near its edge.
+  const floor = new Mesh(new PlaneGeometry(60, 60, 12, 12).rotateX(-Math.PI / 2), floorMaterial);
   floor.receiveShadow = true;
   group.add(floor);
   const wallMaterial = new MeshStandardMaterial({ roughness: 0.9, side: DoubleSide });
@@ -136,7 +139,11 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * 
   group.add(surroundings, hemisphere, key, key.target, fill);
   scene.add(group);
   let open = false;
-  const fogOf = (colour: string | number): Fog => (open ? new Fog(colour, 24, 60) : new Fog(colour, 12, 22));
+  let distance = 8;
+  const fogOf = (colour: string | number): Fog => {
+    const near = Math.max(open ? 24 : 12, distance + 4);
+    return new Fog(colour, near, near + (open ? 36 : 10));
+  };
   return {
     group,
     key,
@@ -144,6 +151,11 @@ diffuseColor.rgb = mix(diffuseColor.rgb, uGrid, gridLine(vPlace.xz, 1.0, 1.3) * 
       open = now;
       back.visible = side.visible = !open;
       if (scene.fog) scene.fog = fogOf(scene.fog.color.getHex());
+    },
+    seenFrom(metres) {
+      distance = metres;
+      const { near, far } = fogOf(0);
+      if (scene.fog instanceof Fog) Object.assign(scene.fog, { near, far });
     },
     setTheme(theme) {
       const t = ROOMS[theme];

@@ -4,6 +4,7 @@
  * It plans nothing. Drawing is on demand: `invalidate()` asks for a frame, an idle stage costs nothing.
  */
 import {
+  Box3,
   BufferGeometry,
   Float32BufferAttribute,
   Line,
@@ -42,6 +43,11 @@ export interface FreeRect {
   bottom: number;
 }
 
+/** A body at a point that is framed: its height, and the room left around it, metres; how near a scene is framed from. */
+const BODY = 1.8;
+const AROUND = 0.6;
+const NEAREST = 5.5;
+
 /** The pen of the board. */
 const INK = new LineBasicMaterial({ color: "#b5483a" });
 
@@ -65,6 +71,7 @@ export class Stage {
   private farthest = 14;
   private figureShown = true;
   private held = false;
+  private recorded = false;
   private warming = false;
   private shaders = false;
   private readonly budget = new FrameBudget(() => this.drawFull());
@@ -99,8 +106,11 @@ export class Stage {
     this.controls.minPolarAngle = (8 * Math.PI) / 180;
     this.controls.maxPolarAngle = (80 * Math.PI) / 180;
     this.controls.update();
-    this.controls.addEventListener("change", () => this.invalidate());
     this.room = createRoom(this.scene);
+    this.controls.addEventListener("change", () => {
+      this.room.seenFrom(this.controls.getDistance());
+      this.invalidate();
+    });
     this.scene.add(this.furniture.group, this.marks.group, this.footprints.group);
     this.setTheme("light");
     this.forgetContext = keepContext(canvas, { back: () => this.invalidate(), gone: () => this.onLost() });
@@ -231,6 +241,12 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Edges of the free part of the viewport, CSS pixels of the canvas. */
+  get freeRoom(): FreeRect {
+    const { left, top, right, bottom } = this.free;
+    return { left, top, right: this.size.width - right, bottom: this.size.height - bottom };
+  }
+
   /** Where a world point is in CSS pixels of the canvas, and whether it is before the camera. */
   project(x: number, y: number, z: number): { x: number; y: number; visible: boolean } {
     const v = new Vector3(x, y, z).project(this.camera);
@@ -281,26 +297,35 @@ export class Stage {
     this.controls.enabled = enabled;
   }
 
-  /** Frames points inside the free part of the viewport. */
+  /** Frames points, with a body standing at each, inside the free part of the viewport; the view's direction stays. */
   frame(points: readonly (readonly [number, number, number])[]): void {
     if (points.length === 0) return;
-    const c = new Vector3();
-    for (const p of points) c.add(new Vector3(p[0], 0.62, p[2]));
-    c.multiplyScalar(1 / points.length);
-    let reach = 1.6;
-    for (const p of points) reach = Math.max(reach, Math.hypot(p[0] - c.x, p[2] - c.z) + 0.7);
-    const direction = this.camera.position.clone().sub(this.controls.target).normalize();
-    const aspect = Math.max(
-      0.5,
-      (this.size.width - this.free.left - this.free.right) /
-        Math.max(1, this.size.height - this.free.top - this.free.bottom),
-    );
-    const distance = (reach * 1.12) / Math.tan((this.camera.fov * Math.PI) / 360) / Math.min(1.45, aspect);
-    this.controls.target.copy(c);
+    const box = new Box3();
+    for (const p of points) box.expandByPoint(new Vector3(p[0], 0.62, p[2]));
+    const c = box.getCenter(new Vector3());
+    const back = this.camera.position.clone().sub(this.controls.target).normalize();
+    const right = new Vector3(0, 1, 0).cross(back).normalize();
+    const up = back.clone().cross(right);
+    // Half of what is seen of the free part, at one metre.
+    const tan = Math.tan((this.camera.fov * Math.PI) / 360) / this.size.height;
+    const wide = tan * Math.max(60, this.size.width - this.free.left - this.free.right);
+    const high = tan * Math.max(60, this.size.height - this.free.top - this.free.bottom);
+    let distance = 0;
+    for (const p of points)
+      for (const y of [0, BODY]) {
+        const q = new Vector3(p[0], y, p[2]).sub(c);
+        const near = q.dot(back);
+        distance = Math.max(
+          distance,
+          near + (Math.abs(q.dot(right)) + AROUND) / wide,
+          near + (Math.abs(q.dot(up)) + AROUND / 2) / high,
+        );
+      }
     // A narrow picture is taken from farther off, or its sides are cut.
-    const farthest = this.farthest * Math.min(1.3, Math.max(1, 1.25 / aspect));
+    const farthest = this.farthest * Math.min(1.3, Math.max(1, (1.25 * high) / wide));
+    this.controls.target.copy(c);
     this.controls.maxDistance = farthest + 1;
-    this.camera.position.copy(c).addScaledVector(direction, Math.max(3, Math.min(farthest, distance)));
+    this.camera.position.copy(c).addScaledVector(back, Math.max(NEAREST, Math.min(farthest, distance)));
     this.controls.update();
     this.invalidate();
   }
@@ -326,6 +351,12 @@ export class Stage {
   /** Draws at once and in full, for those who read the canvas in the same turn. */
   drawNow(): void {
     this.drawFull();
+  }
+
+  /** While on, only `drawNow` draws: who takes frame after frame is not drawn for between them as well. */
+  record(on: boolean): void {
+    this.recorded = on;
+    this.invalidate();
   }
 
   /** How much lies on the graphics card now: geometries, textures, shader programs. */
@@ -363,7 +394,7 @@ export class Stage {
     if (this.waiting) return;
     this.waiting = requestAnimationFrame((now) => {
       this.waiting = 0;
-      if (this.held) {
+      if (this.held || this.recorded) {
         this.onDraw();
         return;
       }
@@ -399,8 +430,12 @@ export class Stage {
   }
 
   private setDetail(sparing: boolean): void {
-    this.renderer.setPixelRatio(sparing ? 1 : Math.min(2, window.devicePixelRatio || 1));
-    this.renderer.setSize(this.size.width, this.size.height, false);
+    const ratio = sparing ? 1 : Math.min(2, window.devicePixelRatio || 1);
+    const now = this.renderer.getSize(new Vector2());
+    // A size that is set anew makes the canvas anew, even where it is the same.
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
+    if (now.x !== this.size.width || now.y !== this.size.height)
+      this.renderer.setSize(this.size.width, this.size.height, false);
     this.room.setDetail(sparing);
   }
 

@@ -38,16 +38,21 @@ async function encode(
   output.addVideoTrack(source, { frameRate: RATE });
   await output.start();
   const frames = Math.max(1, Math.floor(e.plan.duration * RATE));
-  for (let f = 0; f < frames; f++) {
-    if (signal.aborted) {
-      await output.cancel();
-      signal.throwIfAborted();
+  e.stage.record(true);
+  try {
+    for (let f = 0; f < frames; f++) {
+      if (signal.aborted) {
+        await output.cancel();
+        signal.throwIfAborted();
+      }
+      e.playback.seek(f / RATE);
+      e.stage.drawNow();
+      context.drawImage(canvas, 0, 0);
+      await source.add(f / RATE, 1 / RATE);
+      report((f + 1) / frames, `${f + 1} of ${frames} frames`);
     }
-    e.playback.seek(f / RATE);
-    e.stage.drawNow();
-    context.drawImage(canvas, 0, 0);
-    await source.add(f / RATE, 1 / RATE);
-    report((f + 1) / frames, `${f + 1} of ${frames} frames`);
+  } finally {
+    e.stage.record(false);
   }
   await output.finalize();
   const { buffer } = output.target;
