@@ -35,6 +35,8 @@ export interface BlendBox {
 }
 
 const BAR = 30;
+/** Width of a letter, about, pixels. */
+const LETTER = 6.1;
 
 /** Styles as bands, blends as crossed boxes with their lengths beneath, a handle where each change begins. */
 export function stylesSvg(
@@ -48,11 +50,12 @@ export function stylesSvg(
     const w = x(s.to) - a;
     if (w < 0.5) continue;
     const word = s.style[0].toUpperCase() + s.style.slice(1);
-    const plate = Math.min(w - 12, 7 * word.length + 14);
+    const letters = Math.floor((w - 20) / LETTER);
+    const shown = letters >= word.length ? word : `${word.slice(0, letters - 1)}…`;
     out.push(
       `<g role="button" tabindex="0" data-stretch="${safe(s.change ?? "start")}" aria-pressed="${s.selected}" aria-label="${safe(word)}, ${s.from.toFixed(2)} to ${s.to.toFixed(2)} s"><rect x="${px(a)}" y="2" width="${px(w)}" height="${BAR}" rx="4" fill="${s.look.colour}" stroke="var(--ink)" stroke-width="${s.selected ? 2 : 0}"/>${patternSvg(s.look, a + 4, 2, w - 8, BAR)}${
-        plate > 28
-          ? `<rect x="${px(a + 7)}" y="7" width="${px(plate)}" height="20" rx="5" fill="var(--paper)"/><text x="${px(a + 14)}" y="21" style="fill:var(--ink);font-size:12px" ${7 * word.length + 14 > w - 12 ? `textLength="${px(plate - 12)}" lengthAdjust="spacingAndGlyphs"` : ""}>${safe(word)}</text>`
+        letters >= 3
+          ? `<rect x="${px(a + 4)}" y="7" width="${px(LETTER * shown.length + 12)}" height="20" rx="5" fill="var(--paper)"/><text x="${px(a + 10)}" y="21" style="fill:var(--ink);font-size:12px">${safe(shown)}</text>`
           : ""
       }</g>`,
     );

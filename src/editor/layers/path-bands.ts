@@ -1,5 +1,5 @@
 /** Paths on the floor in the colours of their styles, and the styles' names on paper plates beside them. */
-import { html, nothing, render } from "lit";
+import { html, render } from "lit";
 import { unsafeSVG } from "lit/directives/unsafe-svg.js";
 import type { MotionPath } from "../../core/styles/path.ts";
 import { nearestOnPath, placeOnPath, readPath } from "../../core/styles/path.ts";
@@ -9,6 +9,7 @@ import type { Editor } from "../editor.ts";
 import { deskOf, stretchesOf } from "../paths/path-desk.ts";
 import { ref } from "../selection.ts";
 import type { ViewportLayer } from "./layer.ts";
+import { PLATE_HEIGHT, placePlates } from "./plate-places.ts";
 
 /** How near to a path a pointer counts as on it, metres. */
 export const ON_PATH = 0.13;
@@ -44,8 +45,9 @@ export function markFloor(e: Editor, at: readonly [number, number] | null): void
   e.stage.invalidate();
 }
 
-/** Room between a plate and the place that it names, pixels. */
-const PLATE_UP = 46;
+/** Width of a plate without its word, and of a letter, about; pixels. */
+const AROUND_WORD = 51;
+const LETTER = 6.6;
 
 export function pathBandLayer(e: Editor): ViewportLayer {
   const bands = new PathBands();
@@ -58,25 +60,39 @@ export function pathBandLayer(e: Editor): ViewportLayer {
 
   const label = (): void => {
     const desk = deskOf(e);
+    const named = state.paths.flatMap(({ id, curve, spans }) =>
+      spans.flatMap((s, k) => {
+        if (s.to - s.from < 0.5) return [];
+        const middle = (s.from + s.to) / 2;
+        placeOnPath(p, curve, middle);
+        const t = readPath(curve, curve.heading, middle);
+        const at = e.stage.project(p[0], 0.01, p[1]);
+        if (!at.visible) return [];
+        // The plate stands on the side of the path that is farther from the camera.
+        const aside = e.stage.project(p[0] + 0.3 * Math.cos(t), 0.01, p[1] - 0.3 * Math.sin(t));
+        const side = Math.sign((aside.y < at.y ? 1 : -1) * (aside.x - at.x) || 1);
+        const word = `${s.style[0].toUpperCase()}${s.style.slice(1)}`;
+        const chosen = desk.chosen?.path === id && desk.chosen.index === k;
+        return [
+          { x: at.x, y: at.y, side, width: AROUND_WORD + LETTER * word.length, word, chosen, style: s.style },
+        ];
+      }),
+    );
+    const handles = e.store
+      .getState()
+      .scene.paths.flatMap((path) => path.points)
+      .map(([x, z]): [number, number] => {
+        const at = e.stage.project(x, 0.05, z);
+        return [at.x, at.y];
+      });
+    const offsets = placePlates(named, handles, e.stage.freeRoom);
     render(
-      state.paths.length === 0
-        ? nothing
-        : state.paths.flatMap(({ id, curve, spans }) =>
-            spans.map((s, k) => {
-              if (s.to - s.from < 0.5) return nothing;
-              const middle = (s.from + s.to) / 2;
-              placeOnPath(p, curve, middle);
-              const t = readPath(curve, curve.heading, middle);
-              const at = e.stage.project(p[0], 0.01, p[1]);
-              // The plate stands on the side of the path that is farther from the camera.
-              const side = e.stage.project(p[0] + 0.3 * Math.cos(t), 0.01, p[1] - 0.3 * Math.sin(t));
-              const out = side.y < at.y ? 1 : -1;
-              const dx = Math.round(Math.sign(out * (side.x - at.x) || 1) * 34);
-              const look = desk.look(s.style);
-              const chosen = desk.chosen?.path === id && desk.chosen.index === k;
-              return html`<div class="plate ${chosen ? "chosen" : ""}" style="transform:translate(${at.x.toFixed(1)}px,${at.y.toFixed(1)}px);visibility:${at.visible ? "visible" : "hidden"}"><i style="width:${Math.hypot(dx, PLATE_UP).toFixed(1)}px;rotate:${Math.atan2(-PLATE_UP, dx).toFixed(3)}rad"></i><span style="translate:calc(${dx}px - 50%) ${-PLATE_UP - 12}px">${unsafeSVG(swatchSvg(look, 28, 14))}${s.style[0].toUpperCase()}${s.style.slice(1)}</span></div>`;
-            }),
-          ),
+      named.map(({ x, y, word, chosen, style }, i) => {
+        const [dx, dy] = offsets[i];
+        // The line ends at the plate's edge.
+        const [lx, ly] = [dx, dy - (Math.sign(dy) * PLATE_HEIGHT) / 2];
+        return html`<div class="plate ${chosen ? "chosen" : ""}" style="transform:translate(${x.toFixed(1)}px,${y.toFixed(1)}px)"><i style="width:${Math.hypot(lx, ly).toFixed(1)}px;rotate:${Math.atan2(ly, lx).toFixed(3)}rad"></i><span style="translate:calc(${dx.toFixed(1)}px - 50%) ${(dy - PLATE_HEIGHT / 2).toFixed(1)}px">${unsafeSVG(swatchSvg(desk.look(style), 28, 14))}${word}</span></div>`;
+      }),
       plates,
     );
   };
