@@ -18,14 +18,21 @@ export function stripScale(duration: number, width: number) {
   return scaleLinear([0, Math.max(0.1, duration)], [STRIP_LEFT, width - 4]).clamp(true);
 }
 
-/** Seconds along the top, with a line down through all lanes. */
-export function rulerSvg(duration: number, x: TimeScale, height: number): string {
+/** Half the width of the playhead's flag, pixels. */
+const FLAG = 20;
+
+/** Seconds along the top, with a line down through all lanes; none is written where the playhead's flag stands. */
+export function rulerSvg(duration: number, x: TimeScale, height: number, time: number): string {
   const every = [0.5, 1, 2, 5, 10, 20, 60].find((s) => x(s) - x(0) > 44) ?? 120;
   const out: string[] = [];
-  for (let t = 0; t <= duration + 1e-6; t += every)
+  for (let t = 0; t <= duration + 1e-6; t += every) {
+    const from = x(t) + 3;
+    const text = `${t} s`;
+    const covered = from < x(time) + FLAG && from + 6 * text.length > x(time) - FLAG;
     out.push(
-      `<line x1="${px(x(t))}" x2="${px(x(t))}" y1="16" y2="${height}" stroke="var(--line)"/><text x="${px(x(t) + 3)}" y="11">${t} s</text>`,
+      `<line x1="${px(x(t))}" x2="${px(x(t))}" y1="16" y2="${height}" stroke="var(--line)"/>${covered ? "" : `<text x="${px(from)}" y="11">${text}</text>`}`,
     );
+  }
   return out.join("");
 }
 
@@ -185,5 +192,5 @@ function plants(
 /** What is now: a line through all lanes with the time on a flag. */
 export function playheadSvg(time: number, x: TimeScale, height: number): string {
   const at = px(x(time));
-  return `<g pointer-events="none"><line x1="${at}" x2="${at}" y1="14" y2="${height}" stroke="var(--paper)" stroke-width="4"/><line x1="${at}" x2="${at}" y1="8" y2="${height}" stroke="var(--ink)" stroke-width="1.5"/><rect x="${px(x(time) - 20)}" y="-3" width="40" height="17" rx="5" fill="var(--ink)"/><text x="${at}" y="10" text-anchor="middle" style="fill:var(--on);font-weight:600">${time.toFixed(2)}</text></g>`;
+  return `<g pointer-events="none"><line x1="${at}" x2="${at}" y1="14" y2="${height}" stroke="var(--paper)" stroke-width="4"/><line x1="${at}" x2="${at}" y1="8" y2="${height}" stroke="var(--ink)" stroke-width="1.5"/><rect x="${px(x(time) - FLAG)}" y="-3" width="${2 * FLAG}" height="17" rx="5" fill="var(--ink)"/><text x="${at}" y="10" text-anchor="middle" style="fill:var(--on);font-weight:600">${time.toFixed(2)}</text></g>`;
 }

@@ -227,6 +227,9 @@ export class CrowdSession {
   }
 }
 
+/** Whether a scene is its crowd's alone: the one character has nothing to do in it, and is not there. */
+export const crowdAlone = (scene: Scene): boolean => scene.crowd !== null && scene.order.length === 0;
+
 const sessions = new WeakMap<Editor, CrowdSession>();
 
 /** The editor's crowd. */

@@ -1,5 +1,5 @@
 /** Crowds that plan their footsteps [Footsteps]. */
-import { crowdSession } from "../crowd/crowd-session.ts";
+import { crowdAlone, crowdSession } from "../crowd/crowd-session.ts";
 import { steerImport } from "../formats/steersuite.ts";
 import { crowdLayer } from "../layers/crowd.ts";
 import { crowdTab } from "../panels/crowd.ts";
@@ -17,7 +17,13 @@ export const crowds: Feature = {
   start(e) {
     const session = crowdSession(e);
     let last = e.store.getState().selection;
+    // A crowd alone has no footsteps to show over time: the timeline is its transport.
+    const fold = (): void => {
+      document.documentElement.classList.toggle("crowd-alone", crowdAlone(e.store.getState().scene));
+    };
+    fold();
     e.store.subscribe((s) => {
+      fold();
       if (s.selection === last) return;
       last = s.selection;
       const picked = s.selection.find((r) => r.kind === "crowd-walker")?.index ?? -1;

@@ -2,6 +2,7 @@
 import { restOf } from "../../core/tasks/edits.ts";
 import { feetSvg } from "../../plots/timeline-strip.ts";
 import { CATEGORY_COLOURS, CATEGORY_WORDS } from "../../view/tokens.ts";
+import { crowdAlone } from "../crowd/crowd-session.ts";
 import type { Editor } from "../editor.ts";
 import type { Ref } from "../selection.ts";
 import { changeStep, selectedSteps, stepRef } from "../things/footsteps.ts";
@@ -25,7 +26,7 @@ function stretchRest(e: Editor, r: Ref, index: number, ev: PointerEvent, frame: 
 export const feetLane: Lane = {
   id: "feet",
   order: 30,
-  shown: () => true,
+  shown: (e) => !crowdAlone(e.store.getState().scene),
   height: () => 76,
   draw(e, frame) {
     const s = e.store.getState();

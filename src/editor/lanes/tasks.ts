@@ -1,5 +1,6 @@
 /** The timeline's tasks: a bar each while it is done, an arrow to the next. */
 import { tasksSvg } from "../../plots/timeline-strip.ts";
+import { crowdAlone } from "../crowd/crowd-session.ts";
 import { TASK_SHAPES, TASK_WORDS } from "../icons.ts";
 import { hasRef, ref } from "../selection.ts";
 import type { Lane } from "./lane.ts";
@@ -10,7 +11,7 @@ export const taskLane: Lane = {
   // A scene of paths alone needs the room for their curves.
   shown: (e) => {
     const { scene } = e.store.getState();
-    return scene.tasks.length > 0 || scene.paths.length === 0;
+    return scene.tasks.length > 0 || (scene.paths.length === 0 && !crowdAlone(scene));
   },
   height: () => 26,
   draw(e, frame) {

@@ -3,7 +3,7 @@ import { Group, type Raycaster, Vector3 } from "three";
 import { CrowdMarks } from "../../view/crowd/crowd-marks.ts";
 import { CrowdMesh } from "../../view/crowd/crowd-mesh.ts";
 import { type Footprint, FootprintLayer } from "../../view/footprints.ts";
-import { crowdSession } from "../crowd/crowd-session.ts";
+import { crowdAlone, crowdSession } from "../crowd/crowd-session.ts";
 import type { Editor } from "../editor.ts";
 import { hasRef, ref } from "../selection.ts";
 import type { ViewportLayer } from "./layer.ts";
@@ -102,12 +102,9 @@ export function crowdLayer(e: Editor): ViewportLayer {
     update(_, what) {
       if (what === "scene") {
         const { scene } = e.store.getState();
-        const { crowd } = scene;
         // A crowd has the floor to itself: no walls of the room in its way, and nobody who only stands there.
-        e.stage.setOpen(crowd !== null);
-        e.stage.setFigureShown(
-          crowd === null || scene.tasks.length + scene.paths.length + scene.stones.length > 0,
-        );
+        e.stage.setOpen(scene.crowd !== null);
+        e.stage.setFigureShown(!crowdAlone(scene));
         session.follow();
       }
       drawMarks();

@@ -1,5 +1,6 @@
 /** The plan's footprints on the floor, and which of them is under the pointer. */
 import type { Footprint } from "../../view/footprints.ts";
+import { crowdAlone } from "../crowd/crowd-session.ts";
 import type { Editor } from "../editor.ts";
 import { indexOfStep, stepRef } from "../things/footsteps.ts";
 import type { ViewportLayer } from "./layer.ts";
@@ -9,6 +10,10 @@ export function footprintLayer(e: Editor): ViewportLayer {
     const s = e.store.getState();
     const { plan } = s;
     if (!plan) return;
+    if (crowdAlone(s.scene)) {
+      e.stage.setFootprints([], s.colouring);
+      return;
+    }
     const at = new Map<number, { x: number; z: number; yaw: number }>();
     if (s.showBefore)
       for (const t of plan.traces) for (const [k, b] of t.before.entries()) at.set(t.first + k, b);

@@ -34,7 +34,7 @@ function running(s: CrowdSession): TemplateResult {
   const f = s.figures;
   return html`<section class="section crowd-run">
     <header><h3>Crowd</h3><span>${s.ready ? `${s.left} of ${s.agents} on their way` : "Making ready"}</span></header>
-    <div class="row">
+    <div class="actions">
       <button class="button" @click=${() => s.setRunning(!s.running)} ?disabled=${!s.ready}>${s.running ? "Pause" : "Run"}</button>
       <button class="button" @click=${() => s.restart()}>From the start</button>
     </div>

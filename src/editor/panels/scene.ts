@@ -1,5 +1,6 @@
 /** The scene: every thing in it as a list, and the character's build. */
 import { html, nothing, type TemplateResult } from "lit";
+import { crowdAlone } from "../crowd/crowd-session.ts";
 import type { Editor } from "../editor.ts";
 import { openSceneMenu } from "../parts/scene-menu.ts";
 import { type RowsOf, schemaRows } from "../parts/schema-rows.ts";
@@ -14,7 +15,7 @@ export const sceneTab: PanelTab = {
   order: 0,
   shown: () => true,
   draw: (e) => html`${e.registry.things.filter((k) => k.listed !== false).map((k) => things(e, k))}
-    ${character(e)}
+    ${crowdAlone(e.store.getState().scene) ? nothing : character(e)}
     ${warnings(e)}`,
 };
 

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { STEP_CATEGORIES, type StepCategory } from "../../core/steps/types.ts";
 import { CATEGORY_WORDS } from "../../view/tokens.ts";
+import { crowdAlone, crowdSession } from "../crowd/crowd-session.ts";
 import type { Editor } from "../editor.ts";
 import { ICONS } from "../icons.ts";
 import { sole } from "./sole.ts";
@@ -22,12 +23,24 @@ export function legendRows(e: Editor): TemplateResult[] {
     : STEP_CATEGORIES.map((c: StepCategory) => html`<span>${sole(c)}${CATEGORY_WORDS[c]}</span>`);
 }
 
-export function overlayChips(e: Editor): TemplateResult {
+/** How the motion is, in figures. */
+function qualityChip(e: Editor): TemplateResult | typeof nothing {
   const s = e.store.getState();
   const q = s.quality;
+  if (crowdAlone(s.scene)) {
+    const { agents, left } = crowdSession(e);
+    return html`<div class="chip quality" title="Walkers of the crowd, and those who have not arrived."><span>Walkers <b>${agents}</b></span><span>On their way <b>${left}</b></span></div>`;
+  }
+  return q
+    ? html`<div class="chip quality" title="Skate: how far a planted foot slides. Reach: how far hand, box or seat is from its target. Balance: time with the zero-moment point within 5 cm of the feet."><span>Skate <b>${mm(q.skate)}</b></span>${q.reach === null ? nothing : html`<span>Reach <b>${mm(q.reach)}</b></span>`}<span class="wide">Balance <b>${q.balanceWithin50mm === null ? "–" : `${Math.round(100 * q.balanceWithin50mm)} %`}</b></span><span class="narrow">${s.plan?.steps.length ?? 0} footsteps</span></div>`
+    : nothing;
+}
+
+export function overlayChips(e: Editor): TemplateResult {
+  const s = e.store.getState();
   return html`
-    ${q ? html`<div class="chip quality" title="Skate: how far a planted foot slides. Reach: how far hand, box or seat is from its target. Balance: time with the zero-moment point within 5 cm of the feet."><span>Skate <b>${mm(q.skate)}</b></span>${q.reach === null ? nothing : html`<span>Reach <b>${mm(q.reach)}</b></span>`}<span class="wide">Balance <b>${q.balanceWithin50mm === null ? "–" : `${Math.round(100 * q.balanceWithin50mm)} %`}</b></span><span class="narrow">${s.plan?.steps.length ?? 0} footsteps</span></div>` : nothing}
-    <div class="chip legend">${legendRows(e)}</div>
+    ${qualityChip(e)}
+    ${crowdAlone(s.scene) ? nothing : html`<div class="chip legend">${legendRows(e)}</div>`}
     ${s.status ? html`<div class="chip loading" role="status">${s.status}</div>` : nothing}
     ${
       s.progress

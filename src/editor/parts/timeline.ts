@@ -2,6 +2,7 @@
 import { html, type TemplateResult } from "lit";
 import { unsafeSVG } from "lit/directives/unsafe-svg.js";
 import { playheadSvg, RULER, rulerSvg, stripScale } from "../../plots/timeline-strip.ts";
+import { crowdAlone, crowdSession } from "../crowd/crowd-session.ts";
 import type { Editor } from "../editor.ts";
 import { pictureExport } from "../formats/picture.ts";
 import { ICONS } from "../icons.ts";
@@ -16,8 +17,26 @@ const SPEEDS: [number, string][] = [
 
 const clock = (t: number): string => t.toFixed(2).padStart(5, "0");
 
+/** A crowd has a clock of its own: it runs ahead, and begins again. */
+function crowdTransport(e: Editor): TemplateResult {
+  const crowd = crowdSession(e);
+  return html`<div class="transport">
+    <button class="play" aria-label=${crowd.running ? "Pause" : "Play"} title="Space" ?disabled=${!crowd.ready} @click=${() => e.playback.toggle()}>${crowd.running ? ICONS.pause : ICONS.play}</button>
+    <button class="icon" aria-label="From the start" title="From the start" @click=${() => crowd.restart()}>${ICONS.back}</button>
+    <span class="clock">${clock(crowd.seconds)} <span>s</span></span>
+    <span class="space"></span>
+    <span class="quiet">${e.store.getState().snap ? "Snap 5 cm" : ""}</span>
+    ${viewButtons(e)}
+  </div>`;
+}
+
+const viewButtons = (e: Editor): TemplateResult =>
+  html`<button class="icon" aria-label="Fit the view" title="Fit the view (F)" @click=${() => e.frameScene()}>${ICONS.frame}</button>
+      <button class="icon wide" aria-label="Picture of the room" title="Picture of the room" @click=${() => void e.files.save(pictureExport)}>${ICONS.camera}</button>`;
+
 export function timeline(e: Editor): TemplateResult {
   const s = e.store.getState();
+  if (crowdAlone(s.scene)) return crowdTransport(e);
   return html`
     <div class="transport">
       <button class="play" aria-label=${s.playing ? "Pause" : "Play"} title="Space" @click=${() => e.playback.toggle()}>${s.playing ? ICONS.pause : ICONS.play}</button>
@@ -28,8 +47,7 @@ export function timeline(e: Editor): TemplateResult {
       <div class="segments" role="group" aria-label="Speed">${SPEEDS.map(([v, label]) => html`<button aria-pressed=${s.speed === v} @click=${() => e.playback.setSpeed(v)}>${label}</button>`)}</div>
       <span class="space"></span>
       <span class="quiet">${s.snap ? "Snap 5 cm" : ""}</span>
-      <button class="icon" aria-label="Fit the view" title="Fit the view (F)" @click=${() => e.frameScene()}>${ICONS.frame}</button>
-      <button class="icon wide" aria-label="Picture of the room" title="Picture of the room" @click=${() => void e.files.save(pictureExport)}>${ICONS.camera}</button>
+      ${viewButtons(e)}
     </div>
     <div class="tracks" @pointerdown=${(ev: PointerEvent) => down(e, ev)} @pointermove=${(ev: PointerEvent) => hover(e, ev)} @pointerleave=${() => leave(e)} @keydown=${(ev: KeyboardEvent) => key(e, ev)}>
       ${unsafeSVG(tracks(e))}
@@ -80,7 +98,7 @@ function tracks(e: Editor): string {
     ({ lane, top, frame }) =>
       `<g data-lane="${lane.id}" transform="translate(0 ${top.toFixed(1)})">${lane.draw(e, frame)}</g>`,
   );
-  return `<svg width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="group" aria-label="Footsteps over time">${rulerSvg(e.plan.duration, scale, height)}${lanes.join("")}${playheadSvg(time, scale, height)}</svg>`;
+  return `<svg width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="group" aria-label="Footsteps over time">${rulerSvg(e.plan.duration, scale, height, time)}${lanes.join("")}${playheadSvg(time, scale, height)}</svg>`;
 }
 
 function laneOf(e: Editor, target: EventTarget | null): Placed | null {

@@ -1,5 +1,6 @@
 /** The clock: playing, seeking, stepping; tells the layers what time is shown. */
 import { elapsed } from "../../core/math/elapsed.ts";
+import { crowdAlone, crowdSession } from "../crowd/crowd-session.ts";
 import type { Editor } from "../editor.ts";
 
 export class Playback {
@@ -22,7 +23,13 @@ export class Playback {
     }
   }
 
+  /** Plays or pauses what the scene is about: the motion, or its crowd where there is nothing else. */
   toggle(): void {
+    if (crowdAlone(this.e.store.getState().scene)) {
+      const crowd = crowdSession(this.e);
+      if (crowd.ready) crowd.setRunning(!crowd.running);
+      return;
+    }
     this.setPlaying(!this.e.store.getState().playing);
   }
 

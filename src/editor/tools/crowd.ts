@@ -73,6 +73,7 @@ export const crowdTool: Tool = {
   key: "C",
   order: 40,
   cursor: "crosshair",
+  enter: (e) => e.set({ tab: "crowd" }),
   choices: [
     { id: "area", label: "Area", icon: CROWD_ICONS.area, key: "A" },
     { id: "walker", label: "Walker", icon: CROWD_ICONS.walker, key: "G" },
