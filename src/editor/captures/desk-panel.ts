@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { unsafeSVG } from "lit/directives/unsafe-svg.js";
 import { learningCurve } from "../../plots/learning-curve.ts";
 import { download } from "../formats/download.ts";
+import { sole } from "../parts/sole.ts";
 import type { Capture } from "./capture.ts";
 import { clipTab } from "./clip-tab.ts";
 import { csvOf } from "./label-files.ts";
@@ -43,9 +44,11 @@ function progress(s: CaptureSession): TemplateResult | typeof nothing {
 
 /** What to do when there is no capture yet. */
 function empty(s: CaptureSession): TemplateResult {
-  return html`<section class="section"><header><h3>No capture yet</h3></header>
+  return html`<section class="section empty">
+    <div class="prints">${sole("Walk", "left")}${sole("Walk")}${sole("TurnAndStep")}</div>
+    <h2>No capture yet</h2>
     <p class="note">Drop BVH files on the page. They stay on this computer.</p>
-    <div class="actions"><button class="outline" @click=${() => s.pickFiles()}>Open BVH files</button></div>
+    <div class="actions"><button class="primary" @click=${() => s.pickFiles()}>Open BVH files</button></div>
   </section>${publicSection(s)}`;
 }
 

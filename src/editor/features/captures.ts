@@ -31,6 +31,11 @@ const labelTool: Tool = {
     e.playback.setPlaying(false);
     e.scene.select([]);
     document.documentElement.dataset.desk = "";
+    // The room is the capture's: nothing of the scene is in it.
+    e.layers.only("capture");
+    e.stage.setOpen(false);
+    e.stage.setFigureShown(true);
+    e.stage.showFloor(true);
     e.stage.setScene(parseScene({ version: 1 }), []);
     e.stage.setFootprints([], "category");
     void s.loadPublicList();
@@ -40,6 +45,7 @@ const labelTool: Tool = {
     delete document.documentElement.dataset.desk;
     const s = sessionOf(e);
     s.clock.stop();
+    e.layers.only(null);
     e.layers.update("scene");
     e.layers.update("plan");
     e.playback.show();

@@ -23,6 +23,7 @@ export interface ViewportLayer {
 
 export class LayerHost {
   private layers: ViewportLayer[] = [];
+  private alone: string | null = null;
 
   constructor(private readonly e: Editor) {}
 
@@ -40,13 +41,23 @@ export class LayerHost {
     layer.dispose?.();
   }
 
+  /** Shows one layer alone: the others are hidden, and told nothing but the theme, until null. */
+  only(id: string | null): void {
+    this.alone = id;
+    for (const l of this.layers) if (l.object) l.object.visible = id === null || l.id === id;
+  }
+
+  private get told(): readonly ViewportLayer[] {
+    return this.alone === null ? this.layers : this.layers.filter((l) => l.id === this.alone);
+  }
+
   update(what: Change): void {
-    for (const l of this.layers) l.update?.(this.e, what);
+    for (const l of this.told) l.update?.(this.e, what);
     this.e.stage.invalidate();
   }
 
   time(seconds: number): void {
-    for (const l of this.layers) l.time?.(this.e, seconds);
+    for (const l of this.told) l.time?.(this.e, seconds);
     this.e.stage.invalidate();
   }
 
