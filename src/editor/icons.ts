@@ -19,7 +19,14 @@ export const ICONS = {
   camera: icon(
     svg`<rect x="2.500" y="5" width="13" height="9.500" rx="2" /><circle cx="9" cy="9.700" r="2.600" /><path d="M6.500 5l1-2h3l1 2" />`,
   ),
-  prop: icon(svg`<path d="M2.500 6h13M4 6v9M14 6v9" />`),
+  board: icon(
+    svg`<rect x="3" y="3" width="12" height="8" rx="1" /><path d="M5.500 11v4.500M12.500 11v4.500" />`,
+  ),
+  table: icon(svg`<path d="M2.500 6h13M4 6v9M14 6v9" />`),
+  stool: icon(svg`<path d="M5 5.500h8M6 5.500L4.500 15M12 5.500L13.500 15M5.300 11h7.400" />`),
+  box: icon(svg`<path d="M3 6l6-3 6 3v6.500l-6 3-6-3zM3 6l6 3 6-3M9 9v6.500" />`),
+  wall: icon(svg`<path d="M2.500 4.500h13v9h-13zM2.500 9h13M9 4.500V9M6 9v4.500M12 9v4.500" />`),
+  pillar: icon(svg`<path d="M4 3h10M4 15h10M6 3v12M12 3v12" />`),
   foot: icon(
     svg`<path d="M6.500 9.500C5 5 6.500 2 9 2s4 3 2.800 7.500zM6.800 11.500h5c.300 2.500-.500 4.500-2.500 4.500s-2.800-2-2.500-4.500z" />`,
   ),

@@ -23,7 +23,7 @@ export const propTab: PanelTab = {
     const p = chosen(e);
     if (!p) return html``;
     return html`<section class="section">
-      <div class="subject"><span class="glyph">${ICONS.prop}</span><div><h2>${PROP_WORDS[p.kind]}</h2><span class="note">Tasks find the furniture under them by its place.</span></div></div>
+      <div class="subject"><span class="glyph">${ICONS[p.kind]}</span><div><h2>${PROP_WORDS[p.kind]}</h2><span class="note">Tasks find the furniture under them by its place.</span></div></div>
       ${schemaRows(e, "prop", {
         values: { ...p },
         set: (key, value) => void e.edit((scene, c) => c.changeProp(scene, p.id, { [key]: value })),

@@ -28,7 +28,7 @@ export function toolRail(e: Editor): TemplateResult {
   ${
     current.choices
       ? html`<div class="rail choices" role="toolbar" aria-orientation="vertical" aria-label="${current.label}: which">
-        ${current.choices.map((c) => html`<button aria-label="Add: ${c.label}" data-tip="Add: ${c.label.toLowerCase()}  ${c.key}" aria-pressed=${c.id === s.choice} @click=${() => e.tools.use(current.id, c.id)}>${c.icon}</button>`)}
+        ${current.choices.map((c) => html`<button aria-label="Add: ${c.label}" data-tip="Add: ${c.label.toLowerCase()}  ${c.key}" aria-pressed=${c.id === s.choice} @click=${() => e.tools.use(current.id, c.id)}>${c.icon}<span class="word">${c.short ?? c.label}</span></button>`)}
       </div>`
       : nothing
   }`;

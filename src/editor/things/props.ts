@@ -30,7 +30,7 @@ export const propThings: ThingKind = {
     e.store.getState().scene.props.map((p) => ({
       ref: ref("prop", p.id),
       label: PROP_WORDS[p.kind],
-      icon: ICONS.prop,
+      icon: ICONS[p.kind],
       position: p.position,
       yaw: p.yaw,
     })),

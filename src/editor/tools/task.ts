@@ -15,6 +15,7 @@ export const taskTool: Tool = {
   choices: TASK_CATEGORIES.map((c, i) => ({
     id: c,
     label: TASK_WORDS[c],
+    short: TASK_WORDS[c].split(" ")[0],
     icon: TASK_ICONS[c],
     key: String(i + 1),
   })),

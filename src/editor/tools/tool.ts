@@ -33,6 +33,8 @@ export interface ToolChoice {
   id: string;
   label: string;
   icon: TemplateResult;
+  /** Shown under the icon where fingers are used; left out: the label. */
+  short?: string;
   /** Key that takes tool and choice up at once. */
   key: string;
 }
