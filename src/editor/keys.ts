@@ -12,6 +12,14 @@ export interface KeyBinding {
   run?(e: Editor): void;
 }
 
+/** Where arrows move things on the floor, x and z: up is away from the viewer. */
+export const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+  ArrowLeft: [1, 0],
+  ArrowRight: [-1, 0],
+};
+
 /** "Ctrl+Shift+Z" of an event; Command counts as Ctrl, Shift only with letters and named keys. */
 export function chord(ev: KeyboardEvent): string {
   const key = ev.key === " " ? "Space" : ev.key.length === 1 ? ev.key.toUpperCase() : ev.key;
@@ -47,7 +55,7 @@ export function pageKey(e: Editor, ev: KeyboardEvent): void {
   if (pressed === "Space" && target.closest("button:not(.marker), [role=button], [role=slider]")) return;
   // Menus have keys of their own.
   if (pressed !== "Escape" && target.closest(".menu")) return;
-  if (e.tools.current.keydown?.(e, ev)) {
+  if (e.tools.keydown(ev)) {
     ev.preventDefault();
     return;
   }

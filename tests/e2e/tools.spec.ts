@@ -1,32 +1,14 @@
 /** Editing as a whole in a real browser: footsteps, links, files of every kind, and everything by keyboard. */
 import { readFile } from "node:fs/promises";
-import AxeBuilder from "@axe-core/playwright";
-import { expect, type Page, test } from "@playwright/test";
-
-const finishedNewest = async (page: Page): Promise<void> => {
-  await page.waitForFunction(
-    () => {
-      const log = window.stepwright?.log() ?? [];
-      const asked = Math.max(0, ...log.filter((e) => e.what === "asked").map((e) => e.id));
-      return asked > 0 && log.some((e) => e.what === "finished" && e.id === asked);
-    },
-    null,
-    { timeout: 120_000 },
-  );
-};
-
-async function open(page: Page, address = "/"): Promise<void> {
-  // The character does not start by itself: pictures come quickly on slow machines.
-  await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.goto(address);
-  await finishedNewest(page);
-}
+import { expect, test } from "@playwright/test";
+import { seriousViolations } from "../support/accessibility.ts";
+import { answered, drop, openEditor } from "../support/editor-page.ts";
 
 test("a footstep is selected and moved by keyboard, the plan answers; a link carries it all", async ({
   page,
   context,
 }) => {
-  await open(page);
+  await openEditor(page);
   for (let k = 0; k < 4; k++) await page.keyboard.press("]");
   const before = await page.evaluate(() => {
     const s = window.stepwright!.state();
@@ -42,7 +24,7 @@ test("a footstep is selected and moved by keyboard, the plan answers; a link car
   await expect(page.getByRole("group", { name: "Plant" }).getByRole("button", { pressed: true })).toHaveText(
     "Enforce",
   );
-  await finishedNewest(page);
+  await answered(page);
   const edit = await page.evaluate(() => window.stepwright!.state().scene.edits[0]);
   const near = await page.evaluate(
     ([x, z]) => Math.min(...window.stepwright!.state().plan!.steps.map((p) => Math.hypot(p.x - x, p.z - z))),
@@ -76,7 +58,7 @@ test("a footstep is selected and moved by keyboard, the plan answers; a link car
 test("exports are files that hold what they say; a scene and a character are dropped; damaged ones are named", async ({
   page,
 }) => {
-  await open(page);
+  await openEditor(page);
   const save = async (label: string | RegExp) => {
     await page.getByRole("button", { name: "Export" }).click();
     const [file] = await Promise.all([
@@ -121,27 +103,18 @@ test("exports are files that hold what they say; a scene and a character are dro
   expect(result.contacts).toHaveLength(frames);
   const scene = await save(/^Scene \(JSON\)/);
 
-  const drop = (name: string, bytes: Buffer) =>
-    page.evaluate(
-      ([n, b]) => {
-        const data = new DataTransfer();
-        data.items.add(new File([Uint8Array.from(atob(b), (c) => c.charCodeAt(0))], n));
-        window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
-      },
-      [name, bytes.toString("base64")] as const,
-    );
   const moved = JSON.parse(scene.data.toString()) as { tasks: { id: string }[] };
   moved.tasks.splice(2);
-  await drop("two.json", Buffer.from(JSON.stringify({ version: 1, tasks: moved.tasks })));
+  await drop(page, { name: "two.json", content: JSON.stringify({ version: 1, tasks: moved.tasks }) });
   await page.waitForFunction(() => window.stepwright!.state().scene.tasks.length === 2);
-  await drop("me.glb", glb.data);
+  await drop(page, { name: "me.glb", content: glb.data });
   await page.waitForFunction(() => window.stepwright!.state().scene.character.model === "me.glb", null, {
     timeout: 60_000,
   });
   await expect(page.getByText("joints found")).toBeVisible();
-  await drop("broken.glb", Buffer.from("no"));
+  await drop(page, { name: "broken.glb", content: "no" });
   await expect(page.getByText(/broken\.glb: no glTF document/).first()).toBeVisible();
-  await drop("notes.docx", Buffer.from("no"));
+  await drop(page, { name: "notes.docx", content: "no" });
   await expect(page.getByText(/notes\.docx: files of this kind are not read/).first()).toBeVisible();
 });
 
@@ -150,7 +123,7 @@ test("every control is reached by keyboard, in order, with a name; the sheet lis
 }) => {
   // Wide enough for the panel to have an edge.
   await page.setViewportSize({ width: 1300, height: 760 });
-  await open(page);
+  await openEditor(page);
   const seen: string[] = [];
   await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
   for (let k = 0; k < 90; k++) {
@@ -194,11 +167,45 @@ test("every control is reached by keyboard, in order, with a name; the sheet lis
   await expect(page.getByRole("searchbox")).toHaveCount(0);
 });
 
+test("without a pointer: a task, stones, a path and a wall are put on the floor with arrows and Enter", async ({
+  page,
+}) => {
+  await openEditor(page);
+  await drop(page, { name: "empty.json", content: '{ "version": 1 }' });
+  await page.waitForFunction(() => window.stepwright!.state().scene.tasks.length === 0);
+  const scene = () => page.evaluate(() => window.stepwright!.state().scene);
+  const press = async (...keys: string[]) => {
+    for (const key of keys) await page.keyboard.press(key);
+  };
+  // Given up in mid-press: nothing is left.
+  await press("t", "6", "ArrowUp", "Enter", "ArrowUp", "Escape");
+  expect((await scene()).tasks).toEqual([]);
+  await press("t", "6", "ArrowUp", "Enter", "Shift+ArrowUp", "Enter");
+  expect((await scene()).tasks.map((t) => t.category)).toEqual(["turn"]);
+
+  await press("s", "Shift+ArrowLeft", "Enter", "Enter", "Shift+ArrowUp", "Enter", "Enter");
+  const [a, b] = (await scene()).stones.map((s) => s.position);
+  expect(b[0] - a[0]).toBeCloseTo(0, 6);
+  expect(b[2] - a[2]).toBeCloseTo(0.25, 6);
+
+  await press("p", "ArrowRight", "Enter", ...Array<string>(6).fill("Shift+ArrowRight"), "Enter");
+  const [path] = (await scene()).paths;
+  expect(path.points.at(-1)![0] - path.points[0][0]).toBeCloseTo(-1.5, 1);
+
+  await press("c", "e", "ArrowDown", "Enter", ...Array<string>(4).fill("Shift+ArrowLeft"), "Enter");
+  const wall = (await scene()).props.find((p) => p.kind === "wall");
+  expect(wall?.size[0]).toBeCloseTo(1, 2);
+
+  // One entry of the history each.
+  await press("Escape", "Escape", ...Array<string>(5).fill("Control+z"));
+  expect(await scene()).toMatchObject({ tasks: [], stones: [], paths: [], props: [] });
+});
+
 test("on a phone: nothing overlaps the tool bar, the sheet has three heights, no serious violation", async ({
   page,
 }) => {
   await page.setViewportSize({ width: 390, height: 844 });
-  await open(page);
+  await openEditor(page);
   const rail = (await page.getByRole("toolbar", { name: "Tools" }).boundingBox())!;
   expect(rail.y + rail.height).toBeCloseTo(844, 0);
   const timeline = (await page.locator(".timeline:not(.desk-time)").boundingBox())!;
@@ -213,10 +220,5 @@ test("on a phone: nothing overlaps the tool bar, the sheet has three heights, no
   await handle.press("Enter");
   await expect(page.locator("#app")).toHaveAttribute("data-sheet", "peek");
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(
-    violations
-      .filter((v) => v.impact === "serious" || v.impact === "critical")
-      .map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(" ")).join(", ")}`),
-  ).toEqual([]);
+  expect(await seriousViolations(page)).toEqual([]);
 });

@@ -5,7 +5,7 @@ import type { Editor } from "../editor.ts";
 import { pictureExport } from "../formats/picture.ts";
 import { sceneExport, sceneImport } from "../formats/scene-json.ts";
 import { videoExport } from "../formats/video.ts";
-import type { KeyBinding } from "../keys.ts";
+import { ARROWS, type KeyBinding } from "../keys.ts";
 import { characterLayer } from "../layers/character.ts";
 import type { MenuEntry } from "../menus.ts";
 import { sceneTab } from "../panels/scene.ts";
@@ -17,9 +17,8 @@ import type { Feature } from "./feature.ts";
 const some = (e: Editor): boolean => e.store.getState().selection.length > 0;
 
 const QUARTER = Math.PI / 2;
-const WAYS = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [1, 0], ArrowRight: [-1, 0] } as const;
 /** Arrows wherever the focus is on the page; handles have their own. Not shown one by one in the sheet. */
-const nudges: readonly KeyBinding[] = Object.entries(WAYS).flatMap(([key, [x, z]]) =>
+const nudges: readonly KeyBinding[] = Object.entries(ARROWS).flatMap(([key, [x, z]]) =>
   (
     [
       ["", 0.05],
@@ -78,6 +77,7 @@ const keys: readonly KeyBinding[] = [
       else e.scene.select([]);
     },
   },
+  { keys: [], shown: "arrows, Enter", label: "Tool at hand: a place on the floor, press", group: "Tools" },
   { keys: ["Space"], label: "Play, pause", group: "Time", run: (e) => e.playback.toggle() },
   { keys: [","], label: "One frame back", group: "Time", run: (e) => e.playback.stepFrame(-1) },
   { keys: ["."], label: "One frame ahead", group: "Time", run: (e) => e.playback.stepFrame(1) },

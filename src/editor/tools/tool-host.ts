@@ -1,14 +1,17 @@
 /** Hands the viewport's pointer and keys to the tool at hand, and runs gestures from their mark to their end. */
 import type { Editor } from "../editor.ts";
+import { FloorCursor } from "./floor-cursor.ts";
 import type { Gesture, Tool, ToolPointer } from "./tool.ts";
 
 export class ToolHost {
+  readonly cursor: FloorCursor;
   private gesture: { gesture: Gesture; end(commit: boolean): void } | null = null;
 
   constructor(
     private readonly e: Editor,
     private readonly canvas: HTMLElement,
   ) {
+    this.cursor = new FloorCursor(e);
     // Before the camera's own listener: what a tool takes does not orbit.
     canvas.addEventListener("pointerdown", (ev) => this.down(ev), { capture: true });
     canvas.addEventListener("pointermove", (ev) => {
@@ -37,6 +40,7 @@ export class ToolHost {
     const tool = this.all.find((t) => t.id === id);
     if (!tool) return;
     this.gesture?.end(false);
+    this.cursor.hide();
     if (before !== tool) before.leave?.(this.e);
     const kept = this.e.store.getState().choice;
     const named = (c: string | null) => tool.choices?.find((x) => x.id === c)?.id;
@@ -53,7 +57,22 @@ export class ToolHost {
     return { event, x, y, level: (height) => this.e.stage.levelPoint(x, y, height) };
   }
 
+  /** A key that no gesture used: the cross of the floor's, or the tool's own. @returns whether it was used. */
+  keydown(ev: KeyboardEvent): boolean {
+    return this.cursor.keydown(ev) || (this.current.keydown?.(this.e, ev) ?? false);
+  }
+
+  /** Ends the gesture that runs, as by letting its pointer go. */
+  letGo(p: ToolPointer): void {
+    const running = this.gesture;
+    if (!running) return;
+    // Over already: what `up` does, such as taking another tool up, gives nothing up.
+    this.gesture = null;
+    running.end(running.gesture.up?.(p) ?? true);
+  }
+
   private down(ev: PointerEvent): void {
+    this.cursor.hide();
     if (this.e.store.getState().menu !== null) this.e.setMenu(null);
     if (ev.button !== 0) return;
     if (this.gesture) {
@@ -65,17 +84,22 @@ export class ToolHost {
     if (gesture) this.run(gesture, ev);
   }
 
-  /** Runs a gesture until its pointer is let go; one at a time. Markers and timeline lanes start theirs here too. */
-  run(gesture: Gesture, start: PointerEvent): void {
+  /**
+   * Runs a gesture until its pointer is let go; one at a time. Markers and timeline lanes start theirs here too.
+   *
+   * @param start what began it; null for keys, which end it by `letGo`.
+   */
+  run(gesture: Gesture, start: PointerEvent | null): void {
     if (this.gesture) return;
     const { e } = this;
-    const mine = (ev: PointerEvent) => ev.pointerId === start.pointerId;
+    const mine = (ev: PointerEvent) => ev.pointerId === start?.pointerId;
     const stop = new AbortController();
     const on = <K extends keyof WindowEventMap>(name: K, f: (ev: WindowEventMap[K]) => void) =>
       window.addEventListener(name, f, { capture: true, signal: stop.signal });
     const end = (commit: boolean): void => {
       stop.abort();
       this.gesture = null;
+      this.cursor.ended();
       e.stage.setOrbit(true);
       if (!gesture.plain) e.scene.endGesture(commit);
       if (!commit) gesture.cancel?.();
@@ -89,10 +113,7 @@ export class ToolHost {
       if (mine(ev)) gesture.move(this.pointer(ev));
     });
     on("pointerup", (ev) => {
-      if (!mine(ev)) return;
-      // Over already: what `up` does, such as taking another tool up, gives nothing up.
-      this.gesture = null;
-      end(gesture.up?.(this.pointer(ev)) ?? true);
+      if (mine(ev)) this.letGo(this.pointer(ev));
     });
     on("pointercancel", (ev) => {
       if (mine(ev)) end(false);

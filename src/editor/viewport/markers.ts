@@ -6,6 +6,7 @@ import { html, nothing, render, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import { styleMap } from "lit/directives/style-map.js";
 import type { Editor } from "../editor.ts";
+import { ARROWS } from "../keys.ts";
 import { hasRef, type Ref, sameRef } from "../selection.ts";
 import type { Thing } from "../things/thing.ts";
 import type { Gesture, ToolPointer } from "../tools/tool.ts";
@@ -22,12 +23,6 @@ interface Drag {
 const FARTHEST = 20;
 const hold = (v: number): number => Math.max(-FARTHEST, Math.min(FARTHEST, v));
 const key = (r: Ref): string => `${r.kind} ${r.id} ${r.index}`;
-const away: Record<string, [number, number]> = {
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-  ArrowLeft: [1, 0],
-  ArrowRight: [-1, 0],
-};
 
 export class Markers {
   private dragging: Drag | null = null;
@@ -60,7 +55,7 @@ export class Markers {
         shown,
         (s) => key(s.thing.ref),
         (s) => this.marker(s.thing, s.index, s.dot, hasRef(selection, s.thing.ref)),
-      )}${this.ghost()}${this.tip(shown.map((s) => s.thing))}`,
+      )}${this.ghost()}${this.cross()}${this.tip(shown.map((s) => s.thing))}`,
       this.overlay,
     );
   }
@@ -77,6 +72,14 @@ export class Markers {
     const now = this.now(d.from.ref);
     const to = now ? this.at(now) : from;
     return html`<svg class="way" aria-hidden="true"><line x1=${from.x} y1=${from.y} x2=${to.x} y2=${to.y} /><circle cx=${from.x} cy=${from.y} r="11" /></svg>`;
+  }
+
+  /** The cross that arrows move over the floor. */
+  private cross(): TemplateResult | typeof nothing {
+    const { place } = this.e.tools.cursor;
+    if (!place) return nothing;
+    const { x, y } = this.e.stage.project(place[0], 0.01, place[1]);
+    return html`<svg class="cross" aria-hidden="true" viewBox="-12 -12 24 24" style=${styleMap({ transform: `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)` })}><path d="M-11 0H11M0-11V11" /><path d="M-11 0H11M0-11V11" /><circle r="5" /></svg>`;
   }
 
   private tip(things: readonly Thing[]): TemplateResult | typeof nothing {
@@ -232,7 +235,7 @@ export class Markers {
       return;
     }
     const step = ev.altKey ? 0.01 : ev.shiftKey ? 0.25 : 0.05;
-    const nudge = away[ev.key];
+    const nudge = ARROWS[ev.key];
     if (nudge) {
       ev.preventDefault();
       ev.stopPropagation();
