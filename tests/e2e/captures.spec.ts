@@ -4,20 +4,11 @@ import { expect, type Page, test } from "@playwright/test";
 import { writeBvh } from "../../src/core/capture/bvh-write.ts";
 import { renderScore } from "../../src/studio/render.ts";
 import { styleScore } from "../../src/studio/styles.ts";
+import { drop, pageErrors } from "../support/editor-page.ts";
 import { captures, hasShared } from "../support/shared.ts";
 
 // The motion does not start by itself: what is tested is the desk.
 test.use({ contextOptions: { reducedMotion: "reduce" } });
-
-/** Files dropped on the page, as from a folder. */
-async function drop(page: Page, files: { name: string; text: string }[]): Promise<void> {
-  const data = await page.evaluateHandle((list) => {
-    const d = new DataTransfer();
-    for (const f of list) d.items.add(new File([f.text], f.name));
-    return d;
-  }, files);
-  await page.dispatchEvent("body", "drop", { dataTransfer: data });
-}
 
 async function exported(page: Page): Promise<string> {
   const [download] = await Promise.all([
@@ -36,11 +27,10 @@ for (const c of cases)
   test(`${c.name} is dropped, labelled with the keyboard, retrained, exported, and kept over a reload`, async ({
     page,
   }) => {
-    const errors: string[] = [];
-    page.on("pageerror", (e) => errors.push(e.message));
+    const errors = pageErrors(page);
     await page.goto("/");
     await page.getByRole("button", { name: "Labels", exact: true }).waitFor();
-    await drop(page, [{ name: c.name, text: c.text() }]);
+    await drop(page, { name: c.name, content: c.text() });
     await expect(page.getByRole("button", { name: "Confirm and next" })).toBeVisible({ timeout: 60_000 });
     await expect(page.getByText("Reading")).toHaveCount(0);
     const before = await exported(page);
@@ -89,16 +79,20 @@ test("what is wrong with a file is one sentence; a skeleton without toes goes on
   await page.getByRole("button", { name: "Labels", exact: true }).waitFor();
   const bvh = writeBvh(walk);
   const toast = page.locator(".toast");
-  await drop(page, [{ name: "broken.bvh", text: bvh.slice(0, 3000) }]);
+  await drop(page, { name: "broken.bvh", content: bvh.slice(0, 3000) });
   await expect(toast).toContainText(/broken\.bvh, line \d+:/);
-  await drop(page, [{ name: "thing.bvh", text: bvh.replaceAll(/(left|right)Toes/g, "$1Thing") }]);
+  await drop(page, { name: "thing.bvh", content: bvh.replaceAll(/(left|right)Toes/g, "$1Thing") });
   await expect(toast).toContainText("This skeleton has no toes.", { timeout: 60_000 });
   await expect(page.getByRole("button", { name: "Confirm and next" })).toBeVisible({ timeout: 60_000 });
-  await drop(page, [
-    { name: "other.csv", text: "frame,left_heel,left_toe,right_heel,right_toe\n0,1,1,1,1\n" },
-  ]);
+  await drop(page, {
+    name: "other.csv",
+    content: "frame,left_heel,left_toe,right_heel,right_toe\n0,1,1,1,1\n",
+  });
   await expect(toast).toContainText("these are labels of another clip");
-  await drop(page, [{ name: "bad.csv", text: "frame,left_heel,left_toe,right_heel,right_toe\n0,1,7,1,1\n" }]);
+  await drop(page, {
+    name: "bad.csv",
+    content: "frame,left_heel,left_toe,right_heel,right_toe\n0,1,7,1,1\n",
+  });
   await expect(toast).toContainText("bad.csv, line 2");
   await page.getByRole("tab", { name: "Clip" }).click();
   await expect(page.getByText("2 not recognised")).toBeVisible();

@@ -4,6 +4,7 @@ import { expect, type Page, test } from "@playwright/test";
 import { writeBvh } from "../../src/core/capture/bvh-write.ts";
 import { renderScore } from "../../src/studio/render.ts";
 import { studioSet } from "../../src/studio/set.ts";
+import { drop, pageErrors } from "../support/editor-page.ts";
 
 test.use({ contextOptions: { reducedMotion: "reduce" } });
 
@@ -17,8 +18,7 @@ async function toldDistance(page: Page): Promise<number> {
 }
 
 test("the left-out sequence stands beside its plan, and leaves with another scene", async ({ page }) => {
-  const errors: string[] = [];
-  page.on("pageerror", (e) => errors.push(e.message));
+  const errors = pageErrors(page);
   await page.goto("/");
   await page.locator(".scene-name").click();
   await page.getByText("A left-out performance beside its plan").click();
@@ -35,18 +35,12 @@ test("the left-out sequence stands beside its plan, and leaves with another scen
 });
 
 test("a capture that is dropped stands beside the plan of its tasks", async ({ page }) => {
-  const errors: string[] = [];
-  page.on("pageerror", (e) => errors.push(e.message));
+  const errors = pageErrors(page);
   const turning = studioSet().find((p) => p.name === "walk-and-turn") ?? studioSet()[0];
   const { clip } = renderScore(turning.score);
   await page.goto("/");
   await page.getByRole("button", { name: "Labels", exact: true }).waitFor();
-  const data = await page.evaluateHandle((text) => {
-    const d = new DataTransfer();
-    d.items.add(new File([text], "turning.bvh"));
-    return d;
-  }, writeBvh(clip));
-  await page.dispatchEvent("body", "drop", { dataTransfer: data });
+  await drop(page, { name: "turning.bvh", content: writeBvh(clip) });
   await expect(page.getByRole("button", { name: "Confirm and next" })).toBeVisible({ timeout: 60_000 });
   await page.getByRole("tab", { name: "Clip" }).click();
   await page.getByRole("button", { name: "Compare with the plan" }).click();

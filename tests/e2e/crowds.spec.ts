@@ -6,32 +6,21 @@ import { KIND, P } from "../../src/core/crowd/state.ts";
 import { hashCrowd } from "../../src/core/crowd/track-hash.ts";
 import { TICK } from "../../src/core/crowd/types.ts";
 import { readScene } from "../../src/core/scene/schema.ts";
+import { drop, pageErrors } from "../support/editor-page.ts";
 
 const crowd = (page: Page) => page.evaluate(() => window.stepwright?.crowd());
 const ready = (page: Page) =>
   page.waitForFunction(() => window.stepwright?.crowd().ready === true, undefined, { timeout: 120_000 });
 const reached = (page: Page, seconds: number) =>
   page.waitForFunction((t) => (window.stepwright?.crowd().seconds ?? 0) >= t, seconds, { timeout: 120_000 });
-/** A file let go over the page. */
-const drop = (page: Page, name: string, text: string) =>
-  page.evaluate(
-    ([n, t]) => {
-      const data = new DataTransfer();
-      data.items.add(new File([t], n));
-      window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
-    },
-    [name, text],
-  );
-
 test("a crowd runs in its worker as it does in Node, bit for bit; a walker's plan is told; walls are drawn while it runs", async ({
   page,
 }) => {
-  const errors: string[] = [];
-  page.on("pageerror", (e) => errors.push(e.message));
+  const errors = pageErrors(page);
   await page.goto("/");
   await page.waitForFunction(() => window.stepwright !== undefined);
   const text = readFileSync("assets/scenes/crowd-doorway.json", "utf8");
-  await drop(page, "doorway.json", text);
+  await drop(page, { name: "doorway.json", content: text });
   await ready(page);
   expect((await crowd(page))?.agents).toBe(4);
   const browser = await page.evaluate(() => window.stepwright?.crowdHash(60));
@@ -137,10 +126,13 @@ test("a SteerSuite case dropped on the page runs; a broken one is answered by on
   await page.waitForFunction(() => window.stepwright !== undefined);
   const agent = (x: number, gx: number): string =>
     `<agent><initialConditions><position><x>${x}</x><y>0</y><z>0.2</z></position><direction><x>1</x><y>0</y><z>0</z></direction><radius>0.5</radius><speed>0</speed></initialConditions><goalSequence><seekStaticTarget><targetLocation><x>${gx}</x><y>0</y><z>0</z></targetLocation><desiredSpeed>1.3</desiredSpeed><timeDuration>1000</timeDuration></seekStaticTarget></goalSequence></agent>`;
-  await drop(page, "two.xml", `<SteerBenchTestCase>${agent(-3, 3)}${agent(3, -3)}</SteerBenchTestCase>`);
+  await drop(page, {
+    name: "two.xml",
+    content: `<SteerBenchTestCase>${agent(-3, 3)}${agent(3, -3)}</SteerBenchTestCase>`,
+  });
   await ready(page);
   expect((await crowd(page))?.agents).toBe(2);
-  await drop(page, "broken.xml", "<SteerBenchTestCase><agent></SteerBenchTestCase>");
+  await drop(page, { name: "broken.xml", content: "<SteerBenchTestCase><agent></SteerBenchTestCase>" });
   await expect(
     page.getByText("broken.xml, line 1: </SteerBenchTestCase> closes <agent>.").first(),
   ).toBeVisible();

@@ -3,10 +3,10 @@ import { mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "n
 import { dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
-import AxeBuilder from "@axe-core/playwright";
 import { expect, type Page, test } from "@playwright/test";
 import { unzipSync } from "fflate";
 import type { StepwrightScene } from "../../src/embed/element.ts";
+import { seriousViolations } from "../support/accessibility.ts";
 import { type Site, serve } from "../support/two-sites.mjs";
 
 const BUILT = resolve("dist/site");
@@ -221,12 +221,7 @@ test("a lesson: the reader drags the goal, resets, prints a link; its zip opens 
   await fit.getByRole("button", { name: "Reset" }).click();
   await expect(value).toHaveText(before ?? "");
 
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(
-    violations
-      .filter((v) => v.impact === "serious" || v.impact === "critical")
-      .map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(" ")).join(", ")}`),
-  ).toEqual([]);
+  expect(await seriousViolations(page)).toEqual([]);
   expect(broken).toEqual([]);
 
   const [download] = await Promise.all([
@@ -252,11 +247,20 @@ test("a lesson: the reader drags the goal, resets, prints a link; its zip opens 
 test("the embed page has no serious accessibility violation", async ({ page }) => {
   await page.goto(`/embed.html?scene=${encodeURIComponent(SMALL)}`);
   await solved(page, 1);
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(
-    violations.filter((v) => v.impact === "serious" || v.impact === "critical").map((v) => v.id),
-  ).toEqual([]);
+  expect(await seriousViolations(page)).toEqual([]);
 });
+
+for (const file of readdirSync("lessons").filter((f) => f.endsWith(".html")))
+  test(`lesson ${file.replace(".html", "")}: no serious accessibility violation, with its figures drawn`, async ({
+    page,
+  }) => {
+    await page.goto(`/lessons/${file}`);
+    for (const figure of await page.locator("[data-figure]").all()) {
+      await figure.scrollIntoViewIfNeeded();
+      await expect(figure).toHaveAttribute("data-mounted", "true");
+    }
+    expect(await seriousViolations(page)).toEqual([]);
+  });
 
 for (const [name, path] of [
   ["lessons", "/lessons/index.html"],

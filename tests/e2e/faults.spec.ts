@@ -2,14 +2,10 @@
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { expect, type Page, test } from "@playwright/test";
+import { answered, drop, pageErrors } from "../support/editor-page.ts";
 
 const finishedCount = (page: Page): Promise<number> =>
   page.evaluate(() => window.stepwright?.log().filter((e) => e.what === "finished").length ?? 0);
-const planned = (page: Page) =>
-  page.waitForFunction(() => window.stepwright?.log().some((e) => e.what === "finished"), null, {
-    timeout: 120_000,
-  });
-
 /** The picture once it has come to rest: two screenshots in a row are the same. */
 async function restingBrightness(page: Page, path: string): Promise<number> {
   let before = Number.NaN;
@@ -60,7 +56,7 @@ test("a policy without eval or inline scripts, which the page keeps to", async (
     );
   });
   await page.goto("/");
-  await planned(page);
+  await answered(page);
   const policy = await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute("content");
   expect(policy).toContain("script-src 'self';");
   expect(policy).not.toContain("unsafe-eval");
@@ -81,8 +77,7 @@ test("a policy without eval or inline scripts, which the page keeps to", async (
 test("storage closed and corrupt, markup in names, a lost drawing context, a planner killed at work", async ({
   page,
 }) => {
-  const errors: string[] = [];
-  page.on("pageerror", (e) => errors.push(e.message));
+  const errors = pageErrors(page);
   // What another version left behind is no scene.
   await page.goto("/favicon.svg");
   await page.evaluate(
@@ -102,30 +97,21 @@ test("storage closed and corrupt, markup in names, a lost drawing context, a pla
       }),
   );
   await page.goto("/");
-  await planned(page);
+  await answered(page);
   expect(await page.evaluate(() => window.stepwright?.state().scene.tasks.length)).toBe(4);
 
   // Markup in a file's name and in its ids stays text.
   const evil = '<img src=x onerror="window.injected=true">';
-  const drop = (name: string, text: string) =>
-    page.evaluate(
-      ([n, t]) => {
-        const data = new DataTransfer();
-        data.items.add(new File([t], n));
-        window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
-      },
-      [name, text] as const,
-    );
-  await drop(`${evil}.json`, "{");
+  await drop(page, { name: `${evil}.json`, content: "{" });
   await expect(page.getByText("no JSON").first()).toBeVisible();
-  await drop(
-    `${evil}.json`,
-    JSON.stringify({
+  await drop(page, {
+    name: `${evil}.json`,
+    content: JSON.stringify({
       version: 1,
       tasks: [{ id: evil, category: "write", position: [0, 1.3, 2] }],
       props: [{ id: `${evil}2`, kind: "board", position: [0, 1.5, 2] }],
     }),
-  );
+  });
   await page.waitForFunction(() => window.stepwright?.state().scene.tasks.length === 1);
   await page.waitForFunction(() => (window.stepwright?.state().plan?.tasks.length ?? 0) === 1);
   expect(await page.locator("img[src=x]").count()).toBe(0);
@@ -171,7 +157,7 @@ test("storage closed: the page works and says that nothing is kept", async ({ pa
     };
   });
   await page.goto("/");
-  await planned(page);
+  await answered(page);
   await page.locator('[data-marker="write"]').focus();
   await page.keyboard.press("r");
   await page.waitForFunction(() => window.stepwright?.state().saved === "off");

@@ -2,18 +2,8 @@ import { expect, type Page, test } from "@playwright/test";
 import { writeBvh } from "../../src/core/capture/bvh-write.ts";
 import { renderScore } from "../../src/studio/render.ts";
 import { styleScore } from "../../src/studio/styles.ts";
+import { answered, drop, openEditor, pageErrors } from "../support/editor-page.ts";
 
-/** Waits until the newest request is answered whole. */
-const answered = (page: Page) =>
-  page.waitForFunction(
-    () => {
-      const log = window.stepwright?.log() ?? [];
-      const newest = Math.max(0, ...log.filter((e) => e.what === "asked").map((e) => e.id));
-      return newest > 0 && log.some((e) => e.what === "finished" && e.id === newest);
-    },
-    undefined,
-    { timeout: 120_000 },
-  );
 const path = (page: Page) => page.evaluate(() => window.stepwright?.state().scene.paths[0]);
 const seek = (page: Page, share: number) =>
   page.evaluate((u) => {
@@ -22,15 +12,9 @@ const seek = (page: Page, share: number) =>
   }, share);
 
 async function open(page: Page): Promise<(u: number, v: number) => [number, number]> {
-  await page.goto("/");
-  await answered(page);
-  await page.getByRole("button", { name: "Pause" }).click();
+  await openEditor(page);
   // An empty room: the path is all there is to do.
-  await page.evaluate(() => {
-    const data = new DataTransfer();
-    data.items.add(new File(['{ "version": 1 }'], "empty.json"));
-    window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
-  });
+  await drop(page, { name: "empty.json", content: '{ "version": 1 }' });
   await page.waitForFunction(() => window.stepwright?.state().scene.tasks.length === 0);
   await answered(page);
   await page.getByRole("button", { name: "Path", exact: true }).click();
@@ -41,8 +25,7 @@ async function open(page: Page): Promise<(u: number, v: number) => [number, numb
 test("a path drawn freehand is followed; three styles painted along it; a change dragged; undo", async ({
   page,
 }) => {
-  const errors: string[] = [];
-  page.on("pageerror", (e) => errors.push(e.message));
+  const errors = pageErrors(page);
   const at = await open(page);
   await page.mouse.move(...at(0.25, 0.72));
   await page.mouse.down();
@@ -123,13 +106,7 @@ test("a path set point by point is bent and thinned; a sample dropped becomes a 
 
   // The studio's own jog, as somebody's file.
   const { clip } = renderScore(styleScore("jogging"));
-  const text = writeBvh(clip);
-  const data = await page.evaluateHandle((bvh) => {
-    const d = new DataTransfer();
-    d.items.add(new File([bvh], "My-Trot.bvh"));
-    return d;
-  }, text);
-  await page.dispatchEvent("body", "drop", { dataTransfer: data });
+  await drop(page, { name: "My-Trot.bvh", content: writeBvh(clip) });
   await page.getByRole("button", { name: "My trot: paint" }).click();
   await answered(page);
   expect((await path(page))?.styles.map((s) => s.style)).toEqual(["my trot"]);

@@ -1,24 +1,15 @@
-import { expect, type Page, test } from "@playwright/test";
-
-const finished = (page: Page, id: number) =>
-  page.waitForFunction((n) => window.stepwright?.log().some((e) => e.what === "finished" && e.id >= n), id, {
-    timeout: 120_000,
-  });
-const newest = (page: Page) =>
-  page.evaluate(() =>
-    Math.max(...(window.stepwright?.log() ?? []).filter((e) => e.what === "asked").map((e) => e.id)),
-  );
+import { expect, test } from "@playwright/test";
+import { answered, pageErrors } from "../support/editor-page.ts";
 
 test("eight stones are laid over the river with the mouse and stepped on; the keyboard steers", async ({
   page,
 }) => {
-  const errors: string[] = [];
-  page.on("pageerror", (e) => errors.push(e.message));
+  const errors = pageErrors(page);
   await page.goto("/");
-  await finished(page, 1);
+  await answered(page);
   await page.locator(".scene-name").click();
   await page.getByText("River", { exact: true }).first().click();
-  await finished(page, await newest(page));
+  await answered(page);
   // Where the example has its stones; then they are all taken away.
   const places = await page.evaluate(() =>
     [...document.querySelectorAll<HTMLElement>('[data-kind="stone"]')].map((m) => {
@@ -36,7 +27,7 @@ test("eight stones are laid over the river with the mouse and stepped on; the ke
   await page.getByRole("button", { name: "Stones", exact: true }).click();
   for (const [x, y] of places) await page.mouse.click(x, y);
   await page.keyboard.press("v");
-  await finished(page, await newest(page));
+  await answered(page);
   const laid = await page.evaluate(() => {
     const s = window.stepwright?.state();
     const lands = s?.plan?.steps ?? [];

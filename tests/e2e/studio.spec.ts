@@ -1,11 +1,11 @@
 import { readFile } from "node:fs/promises";
 import { expect, test } from "@playwright/test";
+import { pageErrors } from "../support/editor-page.ts";
 
 test("the studio walks by its sliders, compares with real walkers, and saves what it shows", async ({
   page,
 }) => {
-  const errors: string[] = [];
-  page.on("pageerror", (e) => errors.push(e.message));
+  const errors = pageErrors(page);
   await page.goto("/studio.html");
   const walks = () => page.evaluate(() => window.stepwrightStudio?.walks() ?? 0);
   await expect.poll(walks, { timeout: 60_000 }).toBeGreaterThan(0);

@@ -7,8 +7,9 @@
  * first reading.
  */
 import { writeFileSync } from "node:fs";
-import { expect, type Page, test } from "@playwright/test";
+import { expect, test } from "@playwright/test";
 import { createRandom } from "../../../src/core/math/random.ts";
+import { answered, drop } from "../../support/editor-page.ts";
 import { watchHeaps } from "../../support/heaps.ts";
 
 const MINUTES = Number(process.env.STEPWRIGHT_SOAK_MINUTES ?? 30);
@@ -33,27 +34,6 @@ interface Reading {
   running: string[];
 }
 
-const answered = (page: Page) =>
-  page.waitForFunction(
-    () => {
-      const log = window.stepwright?.log() ?? [];
-      const newest = Math.max(0, ...log.filter((e) => e.what === "asked").map((e) => e.id));
-      return newest > 0 && log.some((e) => e.what === "finished" && e.id === newest);
-    },
-    null,
-    { timeout: 120_000 },
-  );
-
-const drop = (page: Page, name: string, text: string) =>
-  page.evaluate(
-    ([n, t]) => {
-      const data = new DataTransfer();
-      data.items.add(new File([t], n));
-      window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
-    },
-    [name, text] as const,
-  );
-
 test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`, async ({ page }) => {
   const errors: string[] = [];
   page.on("pageerror", (e) => errors.push(e.stack ?? e.message));
@@ -66,7 +46,10 @@ test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`,
   await answered(page);
   const { next: random, below: whole } = createRandom(SEED);
   // The scene of the readings, as it is read from a file.
-  await drop(page, "rest.json", await page.evaluate(() => JSON.stringify(window.stepwright!.state().scene)));
+  await drop(page, {
+    name: "rest.json",
+    content: await page.evaluate(() => JSON.stringify(window.stepwright!.state().scene)),
+  });
   await page.waitForFunction(() => window.stepwright!.state().name === "rest");
   const rest = await page.evaluate(() => JSON.stringify(window.stepwright!.state().scene));
 
@@ -177,7 +160,7 @@ test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`,
     planner: async () => {
       await page.evaluate(() => window.stepwright!.restartPlanner());
     },
-    broken: () => drop(page, "broken.json", '{ "version": 1, "tasks": [ {'),
+    broken: () => drop(page, { name: "broken.json", content: '{ "version": 1, "tasks": [ {' }),
     desk: () => press("l", "v"),
     crowd: () => press("c", "v"),
   };
@@ -204,7 +187,7 @@ test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`,
         document.documentElement.dataset.theme === "dark" &&
         document.querySelector<HTMLElement>('[aria-label="Light theme"]')?.click(),
     );
-    await drop(page, "rest.json", rest);
+    await drop(page, { name: "rest.json", content: rest });
     await page.waitForFunction((text) => JSON.stringify(window.stepwright!.state().scene) === text, rest, {
       timeout: 60_000,
     });
@@ -237,7 +220,7 @@ test(`${MINUTES} minutes of random editing leave nothing behind (seed ${SEED})`,
     await page.locator(".examples button").nth(k).click();
     await page.waitForTimeout(1500);
   }
-  await drop(page, "rest.json", rest);
+  await drop(page, { name: "rest.json", content: rest });
   await page.locator('[data-marker="write"]').focus();
   for (let k = 0; k < HISTORY + 10; k++) await press(k % 2 ? "ArrowLeft" : "ArrowRight");
   begun = Date.now();

@@ -1,25 +1,7 @@
 /** The video export, read back by the browser's own player. Long where pictures are drawn without a graphics card. */
 import { readFile } from "node:fs/promises";
-import { expect, type Page, test } from "@playwright/test";
-
-const finishedNewest = async (page: Page): Promise<void> => {
-  await page.waitForFunction(
-    () => {
-      const log = window.stepwright?.log() ?? [];
-      const asked = Math.max(0, ...log.filter((e) => e.what === "asked").map((e) => e.id));
-      return asked > 0 && log.some((e) => e.what === "finished" && e.id === asked);
-    },
-    null,
-    { timeout: 120_000 },
-  );
-};
-
-async function open(page: Page, address = "/"): Promise<void> {
-  // The character does not start by itself: pictures come quickly on slow machines.
-  await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.goto(address);
-  await finishedNewest(page);
-}
+import { expect, test } from "@playwright/test";
+import { answered, drop, openEditor } from "../../support/editor-page.ts";
 
 test("a video of the viewport plays: as long as the motion, as large as the room, and it moves", async ({
   page,
@@ -27,18 +9,16 @@ test("a video of the viewport plays: as long as the motion, as large as the room
 }) => {
   // Small pictures, drawn quickly without a graphics card.
   await page.setViewportSize({ width: 420, height: 700 });
-  await open(page);
-  await page.evaluate(() => {
-    const text = JSON.stringify({
+  await openEditor(page);
+  await drop(page, {
+    name: "turn.json",
+    content: JSON.stringify({
       version: 1,
       tasks: [{ id: "turn", category: "turn", position: [0, 0, 0], yaw: 1.2 }],
-    });
-    const data = new DataTransfer();
-    data.items.add(new File([text], "turn.json"));
-    window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
+    }),
   });
   await page.waitForFunction(() => window.stepwright!.state().scene.tasks[0]?.id === "turn");
-  await finishedNewest(page);
+  await answered(page);
   await page.getByRole("button", { name: "More", exact: true }).click();
   const [file] = await Promise.all([
     page.waitForEvent("download", { timeout: 900_000 }),
