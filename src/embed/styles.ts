@@ -90,7 +90,7 @@ a.tool:hover { background: color-mix(in srgb, var(--ink) 5.5%, transparent); }
 .wait[hidden] { display: none; }
 .panels { flex: none; display: flex; gap: 24px; padding: 10px 16px 12px; border-top: 1px solid var(--line); overflow-x: auto; background: var(--paper); }
 .panels[hidden] { display: none; }
-.panels section { flex: 1 1 240px; min-width: 220px; max-width: 420px; }
+.panels section { flex: 1 1 240px; min-width: 220px; max-width: 320px; }
 .panels h3 { margin: 0 0 4px; font: 600 12px/16px system-ui, sans-serif; }
 .panels p { margin: 2px 0 0; color: var(--ink-3); font-size: 12px; line-height: 16px; }
 .panels svg { width: 100%; height: auto; display: block; stroke: none; font: 11px system-ui, sans-serif; color: var(--ink); }

@@ -24,14 +24,15 @@ export function objectiveFinding(d: ObjectiveData): string {
 
 /** SVG markup of the plot, `width` x `height`. */
 export function objectivePlot(d: ObjectiveData, width = 272, height = 148): string {
-  const left = 34;
   const right = 66;
   const bottom = 20;
   const top = 8;
   const n = Math.max(1, d.rows.length - 1);
-  const x = scaleLinear([0, n], [left, width - right]);
   const most = max(d.rows, (r) => max(r) ?? 0) ?? 1;
   const y = scaleLinear([0, most || 1], [height - bottom, top]).nice(3);
+  // Room for the longest number, 6.5 pixels a figure.
+  const left = Math.max(34, 8 + 6.5 * (max(y.ticks(3), (t) => String(t).length) ?? 0));
+  const x = scaleLinear([0, n], [left, width - right]);
   const path = line<number>(
     (_, i) => x(i),
     (v) => y(v),

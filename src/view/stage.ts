@@ -345,7 +345,9 @@ export class Stage {
       this.size.height,
     );
     this.camera.updateProjectionMatrix();
-    this.invalidate();
+    // A canvas of another size is empty: it is drawn before the page shows it.
+    if (this.shaders && !this.held && !this.recorded) this.draw(performance.now());
+    else this.invalidate();
   }
 
   /** Draws at once and in full, for those who read the canvas in the same turn. */
@@ -403,11 +405,15 @@ export class Stage {
         this.warmUp();
         return;
       }
-      if (this.budget.frame(now) || this.full) this.setDetail(this.budget.sparing);
-      this.full = false;
-      this.renderer.render(this.scene, this.camera);
-      this.onDraw();
+      this.draw(now);
     });
+  }
+
+  private draw(now: number): void {
+    if (this.budget.frame(now) || this.full) this.setDetail(this.budget.sparing);
+    this.full = false;
+    this.renderer.render(this.scene, this.camera);
+    this.onDraw();
   }
 
   /** The room's shaders are made before its first frame, without holding up the page. */

@@ -6,7 +6,7 @@ import type { Page } from "@playwright/test";
  *
  * A control counts as covered when none of five points of its visible part is its own: what is scrolled out of sight and what
  * floats in the three-dimensional view (handles may lie over each other there) is left out. Text counts as cut off when its box
- * hides what overflows and has no ellipsis.
+ * hides what overflows and has no ellipsis, or when a picture ends in it.
  */
 export function pageFaults(page: Page): Promise<string[]> {
   return page.evaluate(() => {
@@ -17,9 +17,12 @@ export function pageFaults(page: Page): Promise<string[]> {
     if (wide > 0) out.push(`the page is ${wide} px wider than its window`);
 
     /** The part of an element that its scrolling and clipping ancestors leave to be seen. */
+    const above = (e: Element): Element | null =>
+      e.parentElement ??
+      (e.getRootNode() instanceof ShadowRoot ? (e.getRootNode() as ShadowRoot).host : null);
     const seen = (e: Element): DOMRect | null => {
       let box = e.getBoundingClientRect();
-      for (let p = e.parentElement; p && p !== document.documentElement; p = p.parentElement) {
+      for (let p = above(e); p && p !== document.documentElement; p = above(p)) {
         const { overflowX, overflowY } = getComputedStyle(p);
         if (overflowX === "visible" && overflowY === "visible") continue;
         const b = p.getBoundingClientRect();
@@ -31,6 +34,17 @@ export function pageFaults(page: Page): Promise<string[]> {
         box = new DOMRect(left, top, right - left, bottom - top);
       }
       return box.width < 2 || box.height < 2 ? null : box;
+    };
+    /** Whether what is cut of a control at its side cannot be scrolled to. */
+    const cut = (e: Element): boolean => {
+      const box = e.getBoundingClientRect();
+      for (let p = above(e); p && p !== document.documentElement; p = above(p)) {
+        const { overflowX } = getComputedStyle(p);
+        if (overflowX === "auto" || overflowX === "scroll") return false;
+        const b = p.getBoundingClientRect();
+        if (overflowX !== "visible" && (box.right > b.right + 2 || box.left < b.left - 2)) return true;
+      }
+      return false;
     };
     const hidden = (e: Element): boolean =>
       !e.checkVisibility({ opacityProperty: true, visibilityProperty: true });
@@ -49,6 +63,7 @@ export function pageFaults(page: Page): Promise<string[]> {
         // A page is scrolled up and down; to the side nothing may stand.
         if (box.right > window.innerWidth + 0.5 || box.left < -0.5)
           out.push(`${name(e)} stands beyond the window's side`);
+        if (cut(e)) out.push(`${name(e)} is cut off by what it lies in`);
         if (box.bottom < 0 || box.top > window.innerHeight) continue;
         const inset = 3;
         const points: [number, number][] = [
@@ -68,6 +83,13 @@ export function pageFaults(page: Page): Promise<string[]> {
           else if (top) by ??= top;
         }
         if (own === 0 && by) out.push(`${name(e)} lies under ${name(by)}`);
+      }
+      for (const e of root.querySelectorAll<SVGTextElement>("svg text")) {
+        const svg = e.ownerSVGElement;
+        if (!svg || hidden(e) || getComputedStyle(svg).overflowX === "visible") continue;
+        const [box, room] = [e.getBoundingClientRect(), svg.getBoundingClientRect()];
+        if (box.width > 1 && room.width > 1 && (box.left < room.left - 1.5 || box.right > room.right + 1.5))
+          out.push(`text "${e.textContent?.trim()}" is cut off by its picture`);
       }
       for (const e of root.querySelectorAll<HTMLElement>(
         "button, label, h1, h2, h3, p, span, td, th, figcaption, a",
