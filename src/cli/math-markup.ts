@@ -166,7 +166,9 @@ class Reader {
     this.at++;
     if (/[A-Za-z]/.test(c)) return `<mi>${c}</mi>`;
     if (c === "-") return "<mo>−</mo>";
-    if ("()[]|".includes(c)) return `<mo stretchy="false">${c}</mo>`;
+    if ("()[]".includes(c)) return `<mo stretchy="false">${c}</mo>`;
+    // Bars stand close: which of two opens is not known, and as operators they would keep their distance.
+    if (c === "|") return '<mo stretchy="false" lspace="0em" rspace="0em">|</mo>';
     if ("+=<>,.:;/!*°".includes(c)) return `<mo>${safe(c)}</mo>`;
     this.at--;
     return this.fail(`${JSON.stringify(c)} is not known`);

@@ -10,7 +10,7 @@ const KEYS = ["e1", "e2", "e3"] as const;
 
 export const mount: MountFigure = ({ box, parameters }) => {
   const floor = new Floor(
-    { x: 0, z: 1.5, width: 3.6, aspect: 1.02 },
+    { x: 0, z: 1.95, width: 4.7, aspect: 1.02 },
     "Steps of the pendulum, seen from above",
   );
   const speed = slider(parameters, { name: "v", value: 1.2, min: 0.4, max: 2, step: 0.05 }, "Speed v", "m/s");

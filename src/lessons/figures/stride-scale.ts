@@ -19,8 +19,8 @@ const POINTS: readonly (readonly [number, number])[] = [
 export const mount: MountFigure = ({ box, parameters }) => {
   const floor = new Floor({ x: 0, z: 0.9, width: 5, aspect: 0.78 }, "A path on the floor, seen from above");
   const chart = new Chart({
-    width: 420,
-    height: 250,
+    width: 300,
+    height: 220,
     x: [0, 6],
     y: [0.4, 1],
     xName: "Way along the path, m",

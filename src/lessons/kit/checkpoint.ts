@@ -2,6 +2,7 @@
  * "Predict the next foot": some footsteps are shown, the reader points at where the next one will be, and sees where it is and
  * how far off the guess was. Nothing is kept or sent.
  */
+import { extent } from "d3-array";
 import { el, svgEl } from "../../embed/dom.ts";
 import { Floor, type FloorPrint } from "./floor.ts";
 import { fixed } from "./numbers.ts";
@@ -17,6 +18,8 @@ export interface NextFoot {
 
 /** Good enough to have understood, metres. */
 const NEAR = 0.15;
+/** Room around what is in the picture, metres. */
+const AROUND = 0.6;
 
 /** Puts one question after another into a box. */
 export function nextFootCheckpoint(box: HTMLElement, questions: readonly NextFoot[]): void {
@@ -40,21 +43,28 @@ export function nextFootCheckpoint(box: HTMLElement, questions: readonly NextFoo
 function question(q: NextFoot, onwards: (() => void) | null): HTMLElement {
   const answer = q.steps[q.steps.length - 1];
   const shown = q.steps.slice(0, -1);
-  const recent = q.steps.slice(-5);
-  const x = (Math.min(...recent.map((s) => s.x)) + Math.max(...recent.map((s) => s.x))) / 2;
-  const z = (Math.min(...recent.map((s) => s.z)) + Math.max(...recent.map((s) => s.z))) / 2;
+  const last = shown[shown.length - 1];
+  let guess: [number, number] = [last.x, last.z + 0.3];
+  // All of the last footprints are in the picture, and the cross where it begins.
+  const seen = [...q.steps.slice(-5), { x: guess[0], z: guess[1] }];
+  const [left, right] = extent(seen, (s) => s.x) as [number, number];
+  const [near, far] = extent(seen, (s) => s.z) as [number, number];
+  const aspect = 0.56;
   const floor = new Floor(
-    { x, z, width: 3.4, aspect: 0.56 },
+    {
+      x: (left + right) / 2,
+      z: (near + far) / 2,
+      width: Math.max(3.4, right - left + AROUND, (far - near + AROUND) / aspect),
+      aspect,
+    },
     `Footsteps seen from above. Where does the ${answer.foot} foot come down next?`,
   );
   q.scenery?.(floor);
   for (const s of shown)
     floor.prints.append(floor.print(s, { fill: s.foot === "left" ? "var(--left)" : "var(--right)" }));
-  const last = shown[shown.length - 1];
   const cross = svgEl("g", { class: "handle" });
   const arm = 9;
   cross.append(svgEl("path", { class: "ink", d: `M-${arm} 0H${arm}M0-${arm}V${arm}`, "stroke-width": 2 }));
-  let guess: [number, number] = [last.x, last.z + 0.3];
   const verdict = el("p", { role: "status" });
   const place = (): void =>
     cross.setAttribute("transform", `translate(${floor.px(guess[0])} ${floor.py(guess[1])})`);

@@ -137,6 +137,8 @@ for (const file of readdirSync("lessons").filter((f) => f.endsWith(".html")))
       await figure.scrollIntoViewIfNeeded();
       await page.waitForTimeout(400);
     }
+    // Some of them render clips first.
+    await expect(page.getByText("Rendering the clips")).toHaveCount(0, { timeout: 120_000 });
     await page.evaluate(() => window.scrollTo(0, 0));
   };
 
