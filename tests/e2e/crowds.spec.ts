@@ -89,7 +89,7 @@ test("two meet at a door that lets one through: one steps aside, in the picture 
   await page.emulateMedia({ reducedMotion: "reduce" });
   await page.goto("/");
   await page.waitForFunction(() => window.stepwright !== undefined);
-  await drop(page, "door.json", DOOR);
+  await drop(page, { name: "door.json", content: DOOR });
   await ready(page);
   await page.evaluate((a) => window.stepwright?.pickWalker(a), agent);
   const stage = (await page.locator("canvas").first().boundingBox())!;
