@@ -509,7 +509,7 @@ export const GUARDS = [
     guard: "if (cycles.length > 0) sources();",
     without: "",
     tests: "tests/unit/cli-faults.test.ts",
-    test: "--cycles",
+    test: "cycles @nan",
   },
   {
     name: "command line: failures of planning name the file",
