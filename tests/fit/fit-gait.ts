@@ -47,6 +47,8 @@ const USUAL: [number, number][] = [
   [J.leftToes, 450],
 ];
 
+/** Least lean of a runner's trunk, degrees. */
+const RUNNER_LEAN = 3;
 /** Jerk that costs nothing, over real walkers' median, and how much more does. */
 const LIKE_REAL = 0.9;
 const JERK_WEIGHT = 2.5;
@@ -202,6 +204,8 @@ function residuals(recipe: Recipe, shape: GaitShape, x: Float64Array): number[] 
   for (const j of seen.jerk)
     out.push(JERK_WEIGHT * Math.log(Math.max(1, j / (LIKE_REAL * (recipe.jerk ?? 1)))));
   out.push(0.5 * (seen.raise / 0.003));
+  // Runners lean into their way; the curves, told against the pelvis, do not say so.
+  if (recipe.run) out.push(0.5 * Math.max(0, RUNNER_LEAN - shape.lean));
   if (!recipe.run) out.push(8 * Math.max(0, (recipe.balance ?? 0.9) - seen.balance));
   const rough = (keys: readonly number[], scale: number, period: boolean) => {
     const n = keys.length;

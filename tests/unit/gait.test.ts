@@ -65,9 +65,9 @@ const FITTED: [keyof typeof RECIPES, [number, number][]][] = [
   [
     "easyRun",
     [
-      [0.8, 0.99],
-      [0.8, 0.96],
-      [0.8, 0.99],
+      [0.85, 0.99],
+      [0.9, 0.99],
+      [0.9, 0.99],
     ],
   ],
   [
