@@ -108,7 +108,8 @@ test("two meet at a door that lets one through: one steps aside, in the picture 
   await page.evaluate(() => window.stepwright?.draw(false));
   await page.getByRole("button", { name: "Run" }).click();
   await reached(page, from + 0.6 * (to - from));
-  await page.getByRole("button", { name: "Pause" }).click();
+  // The crowd's own, beside that of the timeline.
+  await page.locator(".panel").getByRole("button", { name: "Pause" }).click();
   await page.evaluate(() => window.stepwright?.draw(true));
   const shown = (await crowd(page))!;
   expect(shown.picked).toBe(agent);
