@@ -3,7 +3,7 @@
  * use. Without it the page is plain text with formulas.
  */
 import { defineElement } from "../embed/define.ts";
-import { el } from "../embed/dom.ts";
+import { el, setAttributes } from "../embed/dom.ts";
 import { configure } from "../embed/resources.ts";
 import { startOnce } from "../embed/start-once.ts";
 import { FIGURES } from "./figures/all.ts";
@@ -69,6 +69,23 @@ function mountFigures(parameters: Parameters): void {
   for (const f of document.querySelectorAll<HTMLElement>("[data-figure]")) near.observe(f);
 }
 
+/** Formulas wider than their column are scrolled to the side: by keys too, so they take the focus then. */
+function reachFormulas(): void {
+  for (const formula of document.querySelectorAll(".equation")) {
+    const watch = new ResizeObserver(() => {
+      const wide = formula.scrollWidth > formula.clientWidth + 1;
+      setAttributes(formula, {
+        tabindex: wide ? 0 : null,
+        role: wide ? "group" : null,
+        "aria-label": wide ? "Formula" : null,
+      });
+    });
+    watch.observe(formula);
+    // Its numbers grow when a figure fills them in.
+    for (const part of formula.children) watch.observe(part);
+  }
+}
+
 /** "Reset" under every figure that has something to change, and a link to its present state for teachers. */
 function addResets(figure: HTMLElement, box: HTMLElement, parameters: Parameters): void {
   if (!box.querySelector(".handle, input, .segments, stepwright-scene")) return;
@@ -112,6 +129,7 @@ function start(): void {
   defineElement();
   followReader();
   mountFigures(parameters);
+  reachFormulas();
   document.querySelector('[data-act="print"]')?.addEventListener("click", () => print());
   document.querySelector('[data-act="zip"]')?.addEventListener("click", () => {
     say("Collecting the lesson.");
