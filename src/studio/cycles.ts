@@ -17,6 +17,9 @@ const EVEN = 0.15;
 /** Steps of each clip between its first and its last. */
 const STEPS = 8;
 
+/** Runs come up to speed gently: what accelerates hard belongs to no cycle. */
+const RUN_UP = [0.62, 0.74, 0.86, 0.95];
+
 const JOG: Partial<Pace> = { length: 0.8, time: 0.385, stance: 0.46, width: 0.08 };
 
 const RUN: Partial<Pace> = { length: 0.97, time: 0.378, stance: 0.4, width: 0.07 };
@@ -24,7 +27,8 @@ const RUN: Partial<Pace> = { length: 0.97, time: 0.378, stance: 0.4, width: 0.07
 const SLOW_JOG: Partial<Pace> = { length: 0.64, time: 0.39, stance: 0.48, width: 0.08 };
 
 function straight(name: string, seed: number, pace: Partial<Pace>): Score {
-  return straightScore({ name, seed, actor: { ...ADULT, pace: { ...pace, noise: EVEN } }, steps: STEPS });
+  const actor = { ...ADULT, pace: { ...pace, noise: EVEN } };
+  return straightScore({ name, seed, actor, steps: STEPS, runUp: RUN_UP });
 }
 
 /** Walks round a circle: `radius` metres to the left positive. */
@@ -157,7 +161,7 @@ export function cyclicScores(): Score[] {
     straight("cycle-run", 207, { length: 1.15, time: 0.375, stance: 0.37, width: 0.06 }),
     straight("cycle-run-2", 208, RUN),
     straight("cycle-run-3", 210, { length: 0.88, time: 0.38, stance: 0.43, width: 0.07 }),
-    straight("cycle-run-4", 256, { length: 1.06, time: 0.376, stance: 0.385, width: 0.06 }),
+    straight("cycle-run-4", 256, { length: 1.06, time: 0.376, stance: 0.375, width: 0.06 }),
     ...[1.1, -1.1, 2.2, -2.2].map((r, i) => curve(`cycle-curve-${i + 1}`, 211 + i, r)),
     ...[28, -28, 50, -50].map((a, i) => spot(`cycle-spot-${i + 1}`, 215 + i, a * DEG)),
     ...[0.22, -0.22, 0.4, -0.4].map((d, i) => sideways(`cycle-side-${i + 1}`, 221 + i, d, 0)),

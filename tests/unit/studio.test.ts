@@ -1,9 +1,14 @@
 import { describe, expect, it } from "vitest";
 import { solePoints } from "../../src/core/contacts/baselines.ts";
 import { pivotPlace, plantedAnkle } from "../../src/core/motion/sole.ts";
+import { createRangeWorkspace, jointsOutOfRange } from "../../src/core/quality/joint-ranges.ts";
+import { forwardKinematics } from "../../src/core/skeleton/forward-kinematics.ts";
+import { JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { STEP_CATEGORIES, type StepCategory } from "../../src/core/steps/types.ts";
+import { renderScore } from "../../src/studio/render.ts";
 import { CATEGORY_OF, type StepKind } from "../../src/studio/score.ts";
+import { everyScore } from "../../src/studio/set.ts";
 import { studio } from "../support/library.ts";
 
 describe("planted foot", () => {
@@ -70,7 +75,6 @@ describe("captures of the studio", () => {
     }
   });
   it("are made the same twice", async () => {
-    const { renderScore } = await import("../../src/studio/render.ts");
     const { studioSet } = await import("../../src/studio/set.ts");
     const { clip } = renderScore(studioSet()[2].score);
     expect(Buffer.from(clip.rotations.buffer).equals(Buffer.from(rendered[2].clip.rotations.buffer))).toBe(
@@ -81,7 +85,6 @@ describe("captures of the studio", () => {
 
 describe("the whole set that ships", () => {
   it("has tasks, seven styles, some two dozen cycles and two more actors, each under its own name", async () => {
-    const { everyScore } = await import("../../src/studio/set.ts");
     const names = everyScore().map((s) => s.name);
     expect(new Set(names).size).toBe(names.length);
     expect(names.filter((n) => n.startsWith("style-"))).toHaveLength(7);
@@ -90,8 +93,6 @@ describe("the whole set that ships", () => {
   });
 
   it("is rendered the same twice, worn or not; wear moves it by centimetres and no more", async () => {
-    const { everyScore } = await import("../../src/studio/set.ts");
-    const { renderScore } = await import("../../src/studio/render.ts");
     const { wearClip } = await import("../../src/studio/realism.ts");
     for (const name of ["style-jogging", "cycle-side-1", "tall-walk"]) {
       const score = everyScore().find((s) => s.name === name)?.score;
@@ -105,6 +106,20 @@ describe("the whole set that ships", () => {
       for (let k = 0; k < a.root.length; k++) most = Math.max(most, Math.abs(worn.root[k] - a.root[k]));
       expect(most).toBeGreaterThan(0.01);
       expect(most).toBeLessThan(0.06);
+    }
+  });
+
+  it("bends no joint beyond its range in any frame", () => {
+    const made = new Map(studio().rendered.map((r) => [r.name, r.clip]));
+    const range = createRangeWorkspace();
+    const places = new Float64Array(3 * JOINT_COUNT);
+    const world = new Float64Array(4 * JOINT_COUNT);
+    for (const { name, score } of everyScore()) {
+      const { skeleton, frames, root, rotations } = made.get(name) ?? renderScore(score).clip;
+      for (let f = 0; f < frames; f++) {
+        forwardKinematics(places, world, skeleton, root, 3 * f, rotations, 4 * JOINT_COUNT * f);
+        expect(jointsOutOfRange(places, 0, world, 0, range), `${name}, frame ${f}`).toEqual([]);
+      }
     }
   });
 

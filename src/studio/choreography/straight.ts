@@ -11,8 +11,13 @@ export interface StraightOptions {
   /** Steps between the first and the closing one, at least 1. */
   steps: number;
   first?: Foot;
+  /** Shares of the step length by which a runner comes up to speed, and in reverse slows down. */
+  runUp?: readonly number[];
   start?: GroundPose;
 }
+
+/** A quick run-up; a fast runner's hips tip far forward in it. */
+const RUN_UP = [0.72, 0.9];
 
 /**
  * A straight performance: first step, `steps` steady ones, a shorter one, and the feet together.
@@ -20,7 +25,7 @@ export interface StraightOptions {
  * The pace's step length and time are those of the steady part, at the reference leg of 0.93 m.
  */
 export function straightScore(options: StraightOptions): Score {
-  const { name, seed, actor } = options;
+  const { name, seed, actor, runUp = RUN_UP } = options;
   const w = createWalker(name, seed, options.start ?? { x: 0, z: 0, yaw: 0 }, actor);
   const pace = paceOf(actor);
   const kind = pace.stance < 0.5 ? "run" : "walk";
@@ -47,9 +52,9 @@ export function straightScore(options: StraightOptions): Score {
   const vary = () => 1 + 0.012 * pace.noise * w.random.normal();
   lay(pace.length * (kind === "run" ? 0.5 : 0.78), 1.1);
   // A runner takes some steps to come up to speed, and to slow down.
-  if (kind === "run") for (const share of [0.72, 0.9]) lay(pace.length * share, 1);
+  if (kind === "run") for (const share of runUp) lay(pace.length * share, 1);
   for (let k = 0; k < options.steps; k++) lay(pace.length * vary(), 1);
-  if (kind === "run") for (const share of [0.9, 0.72]) lay(pace.length * share, 1);
+  if (kind === "run") for (const share of [...runUp].reverse()) lay(pace.length * share, 1);
   lay(pace.length * (kind === "run" ? 0.5 : 0.82), 1.05);
   // Beside the other foot.
   step(
