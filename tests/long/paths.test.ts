@@ -18,7 +18,7 @@ type Figures = ReturnType<typeof measureMotion> & { offset: number; lean: number
 const SHARES: Record<string, number> = {
   "jerk 0.7 to 1.4": 0.88,
   "jerk as real ones, 0.5 to 2.3": 0.98,
-  "no missed plants": 0.96,
+  "no missed plants": 0.975,
   "balance within 5 cm >= 0.69": 0.99,
   "lean within 1 degree in 95 % of frames": 0.9,
 };

@@ -7,7 +7,7 @@
  */
 import { wrapAngle } from "../math/angle.ts";
 import { smoothstep, softEnvelope } from "../math/interpolate.ts";
-import { contactsOfPitch, plantedAnkle } from "../motion/sole.ts";
+import { contactsOfPitch, heelRests, plantedAnkle } from "../motion/sole.ts";
 import type { FootShape } from "../skeleton/skeleton.ts";
 import type { Foot } from "../steps/types.ts";
 
@@ -143,6 +143,10 @@ const HEEL_DOWN = (-1.2 * Math.PI) / 180;
 const HEEL_OFF = (-4.5 * Math.PI) / 180;
 /** A heel that is there for so many frames hovers: one that is lifted passes through in five. */
 const HEEL_HOVERS = 6;
+/** One off the ground, by 18 mm at most, that turns by less than this a frame (12 cm/s at the heel point), for so many frames, stops; radians. */
+const HEEL_SLOW = 0.0125;
+const HEEL_STILL_OFF = (-5.5 * Math.PI) / 180;
+const HEEL_STOPS = 4;
 /** Times that it is put down at most. */
 const HEEL_TIMES = 3;
 /** Where heels hover, those up by less than the first lie down; from the second on they are up as they were; radians. */
@@ -170,13 +174,16 @@ export function settleHeels(track: FeetTrack, plants: readonly StylePlant[]): vo
   }
 }
 
-/** Whether a plant's heel stays between the ground and clearly off it. */
+/** Whether a plant's heel stays between the ground and clearly off it, or as good as stops there. */
 function hovers(track: FeetTrack, plant: StylePlant, side: number): boolean {
   let run = 0;
+  let still = 0;
   for (let f = plant.from; f < plant.to; f++) {
     const pitch = track.pitch[2 * f + side];
     run = pitch < HEEL_DOWN && pitch > HEEL_OFF ? run + 1 : 0;
-    if (run >= HEEL_HOVERS) return true;
+    const slow = Math.abs(pitch - track.pitch[2 * Math.max(plant.from, f - 1) + side]) < HEEL_SLOW;
+    still = slow && !heelRests(pitch) && pitch > HEEL_STILL_OFF ? still + 1 : 0;
+    if (run >= HEEL_HOVERS || still >= HEEL_STOPS) return true;
   }
   return false;
 }
