@@ -11,6 +11,11 @@ import { drop, pageErrors } from "../support/editor-page.ts";
 const crowd = (page: Page) => page.evaluate(() => window.stepwright?.crowd());
 const ready = (page: Page) =>
   page.waitForFunction(() => window.stepwright?.crowd().ready === true, undefined, { timeout: 120_000 });
+/** So many frames more. */
+const drawn = (page: Page, frames: number) =>
+  page.evaluate(async (n) => {
+    for (let k = 0; k < n; k++) await new Promise(requestAnimationFrame);
+  }, frames);
 const reached = (page: Page, seconds: number) =>
   page.waitForFunction((t) => (window.stepwright?.crowd().seconds ?? 0) >= t, seconds, { timeout: 120_000 });
 test("a crowd runs in its worker as it does in Node, bit for bit; a walker's plan is told; walls are drawn while it runs", async ({
@@ -97,7 +102,7 @@ test("two meet at a door that lets one through: one steps aside, in the picture 
   await page.mouse.move(x, y);
   for (let n = 0; n < 7; n++) {
     await page.mouse.wheel(0, -240);
-    await page.waitForTimeout(100);
+    await drawn(page, 2);
   }
   // From higher up, and from the side.
   await page.mouse.move(stage.x + 0.2 * stage.width, y + 60);
@@ -116,7 +121,7 @@ test("two meet at a door that lets one through: one steps aside, in the picture 
   expect(shown.left).toBe(2);
   expect(shown.seconds).toBeGreaterThan(from);
   expect(shown.seconds).toBeLessThan(to + 0.5);
-  await page.waitForTimeout(600);
+  await drawn(page, 10);
   await page.screenshot({ path: "artefacts/crowd-yields.png" });
 });
 

@@ -26,7 +26,7 @@ export function serve(folder, base, pages = {}, headers = {}) {
         return;
       }
       const file = path.startsWith(base) ? join(folder, normalize(path.slice(base.length))) : "";
-      if (!file || !file.startsWith(folder) || !existsSync(file) || !statSync(file).isFile()) {
+      if (!file?.startsWith(folder) || !existsSync(file) || !statSync(file).isFile()) {
         response.writeHead(404);
         response.end();
         return;
