@@ -18,7 +18,7 @@ const EVEN = 0.15;
 const STEPS = 8;
 
 /** Runs come up to speed gently: what accelerates hard belongs to no cycle. */
-const RUN_UP = [0.62, 0.74, 0.86, 0.95];
+const RUN_UP = [0.56, 0.66, 0.77, 0.88, 0.96];
 
 const JOG: Partial<Pace> = { length: 0.8, time: 0.385, stance: 0.46, width: 0.08 };
 

@@ -16,7 +16,7 @@ import type { Plan } from "../../src/core/tasks/plan-types.ts";
 import { straightScore } from "../../src/studio/choreography/straight.ts";
 import type { GaitShape } from "../../src/studio/gait-shape.ts";
 import { renderWorkings } from "../../src/studio/render.ts";
-import { curveShares } from "../support/gait-real.ts";
+import { curveShares, pelvisTurn } from "../support/gait-real.ts";
 import { RECIPES, type Recipe, targetOf } from "./recipes.ts";
 
 /** Keys that are fitted and how far each may sensibly go: the scale of its step and of its prior. */
@@ -47,6 +47,8 @@ const USUAL: [number, number][] = [
   [J.leftToes, 450],
 ];
 
+/** Widths of the differences, in each number's scale: where one finds no way down, the next does, past ripples of the knees' limits. */
+const STEPS = [0.15, 0.4, 0.05];
 /** Least lean of a runner's trunk, degrees. */
 const RUNNER_LEAN = 3;
 /** Jerk that costs nothing, over real walkers' median, and how much more does. */
@@ -94,6 +96,8 @@ interface Look {
   balance: number;
   /** Jerk of hands, feet, head and hips over real walkers' at the speed. */
   jerk: number[];
+  /** Turning of the pelvis with the stride, and a quarter of a stride later, degrees: its first harmonic. */
+  pelvis: [number, number];
   /** How much the hips had to give way for the knees, root mean square, metres. */
   raise: number;
 }
@@ -178,6 +182,7 @@ function look(recipe: Recipe, shape: GaitShape): Look | null {
     gait,
     turning,
     jerk: [...jerk.values()],
+    pelvis: pelvisTurn(points.joints, clip.frames, (f) => going[f] === 1),
     raise: Math.sqrt(given / Math.max(1, count)),
     balance: balanceShares(points, clip.skeleton, nothing, [], [level, level]).near ?? 0,
   };
@@ -206,6 +211,10 @@ function residuals(recipe: Recipe, shape: GaitShape, x: Float64Array): number[] 
   out.push(0.5 * (seen.raise / 0.003));
   // Runners lean into their way; the curves, told against the pelvis, do not say so.
   if (recipe.run) out.push(0.5 * Math.max(0, RUNNER_LEAN - shape.lean));
+  // The curves do not tell how the pelvis turns, and would have it do the legs' work.
+  const [turn, lag] = recipe.pelvis;
+  out.push((0.5 * (seen.pelvis[0] - turn * Math.cos(lag))) / 1.5);
+  out.push((0.5 * (seen.pelvis[1] - turn * Math.sin(lag))) / 1.5);
   if (!recipe.run) out.push(8 * Math.max(0, (recipe.balance ?? 0.9) - seen.balance));
   const rough = (keys: readonly number[], scale: number, period: boolean) => {
     const n = keys.length;
@@ -261,7 +270,7 @@ function report(recipe: Recipe, shape: GaitShape): string {
     return `${joint} ${s.once.toFixed(2)}/${s.twice.toFixed(2)} rms ${s.rms.toFixed(1)}`;
   });
   const f = seen.gait.facts;
-  return `${rows.join(", ")}; turning ${seen.turning.map((t) => t.toFixed(2)).join(" ")}; balance ${seen.balance.toFixed(2)}; vertical ${(100 * f.pelvisVertical).toFixed(1)}, lateral ${(100 * f.pelvisLateral).toFixed(1)}, clearance ${(100 * f.tipClearance).toFixed(1)}, toe lift ${(100 * f.toeLift).toFixed(1)}, raise ${(1000 * seen.raise).toFixed(1)} mm, jerk ${seen.jerk.map((j) => j.toFixed(2)).join(" ")}, stance ${f.stance.toFixed(2)}`;
+  return `${rows.join(", ")}; turning ${seen.turning.map((t) => t.toFixed(2)).join(" ")}; balance ${seen.balance.toFixed(2)}; vertical ${(100 * f.pelvisVertical).toFixed(1)}, lateral ${(100 * f.pelvisLateral).toFixed(1)}, clearance ${(100 * f.tipClearance).toFixed(1)}, toe lift ${(100 * f.toeLift).toFixed(1)}, raise ${(1000 * seen.raise).toFixed(1)} mm, jerk ${seen.jerk.map((j) => j.toFixed(2)).join(" ")}, stance ${f.stance.toFixed(2)}, pelvis ${Math.hypot(...seen.pelvis).toFixed(1)} at ${Math.atan2(seen.pelvis[1], seen.pelvis[0]).toFixed(2)}`;
 }
 
 export async function main(args: string[]): Promise<number> {
@@ -277,12 +286,20 @@ export async function main(args: string[]): Promise<number> {
   if (!r) throw new Error("The start has no steady cycle.");
   console.error(`start ${cost(r).toFixed(2)}: ${report(recipe, recipe.start)}`);
   let damp = 0.1;
+  let width = 0;
+  let failed = 0;
   for (let round = 0; round < rounds; round++) {
+    const step = STEPS[width];
     const columns = slots.map((_, k) => {
-      const y = Float64Array.from(x);
-      y[k] += 0.15;
-      const moved = residuals(recipe, withValues(recipe.start, slots, y), y);
-      return moved ? moved.map((v, i) => (v - (r as number[])[i]) / 0.15) : new Array(r?.length ?? 0).fill(0);
+      const at = (d: number) => {
+        const y = Float64Array.from(x);
+        y[k] += d;
+        return residuals(recipe, withValues(recipe.start, slots, y), y);
+      };
+      const [ahead, behind] = [at(step), at(-step)];
+      return ahead && behind
+        ? ahead.map((v, i) => (v - behind[i]) / (2 * step))
+        : new Array(r?.length ?? 0).fill(0);
     });
     const normal = columns.map((a) => columns.map((b) => a.reduce((s, v, i) => s + v * b[i], 0)));
     const slope = columns.map((a) => -a.reduce((s, v, i) => s + v * (r as number[])[i], 0));
@@ -302,7 +319,12 @@ export async function main(args: string[]): Promise<number> {
     console.error(
       `round ${round + 1} ${cost(r).toFixed(2)} damp ${damp.toFixed(3)}: ${report(recipe, shape)}`,
     );
-    if (!better) break;
+    failed = better ? 0 : failed + 1;
+    if (failed === STEPS.length) break;
+    if (!better) {
+      width = (width + 1) % STEPS.length;
+      damp = 0.1;
+    }
   }
   const final = withValues(recipe.start, slots, x);
   console.log(JSON.stringify(final, (_, v) => (typeof v === "number" ? Math.round(v * 1e4) / 1e4 : v)));

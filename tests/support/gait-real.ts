@@ -1,7 +1,9 @@
 /** Averages over real walkers' cycles and how ours stand beside them, for the tests that compare. */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
+import { CLIP_RATE } from "../../src/core/capture/clip.ts";
 import { GAIT_PHASES, type GaitAnalysis } from "../../src/core/quality/gait.ts";
+import { J, JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
 import { SHARED } from "./shared.ts";
 
 interface Average {
@@ -62,4 +64,43 @@ export function sharesOf(curve: ArrayLike<number>, real: RealGait, joint: "hip" 
     square += d * d;
   }
   return { once: once / GAIT_PHASES, twice: twice / GAIT_PHASES, rms: Math.sqrt(square / GAIT_PHASES) };
+}
+
+/**
+ * How the pelvis turns about up as someone goes straight ahead: its first harmonic over the frames, with the feet's own as the
+ * clock. @returns degrees in step with the feet and a quarter of a stride later; left hip ahead as the left foot is: positive.
+ */
+export function pelvisTurn(
+  joints: ArrayLike<number>,
+  frames: number,
+  counts: (frame: number) => boolean,
+): [number, number] {
+  const at = (f: number, joint: number, axis: number) => joints[3 * (JOINT_COUNT * f + joint) + axis];
+  const used = Array.from({ length: frames }, (_, f) => f).filter(counts);
+  const [first, last] = [used[0], used[used.length - 1]];
+  const way = [0, 2].map((k) => at(last, J.hips, k) - at(first, J.hips, k));
+  const far = Math.hypot(way[0], way[1]);
+  const ahead = (f: number, a: number, b: number) =>
+    ((at(f, a, 0) - at(f, b, 0)) * way[0] + (at(f, a, 2) - at(f, b, 2)) * way[1]) / far;
+  const width = (f: number) =>
+    Math.hypot(...[0, 1, 2].map((k) => at(f, J.leftUpperLeg, k) - at(f, J.rightUpperLeg, k)));
+  const feet = used.map((f) => ahead(f, J.leftFoot, J.rightFoot));
+  const yaw = used.map(
+    (f) => (Math.asin(ahead(f, J.leftUpperLeg, J.rightUpperLeg) / width(f)) * 180) / Math.PI,
+  );
+  const harmonic = (values: readonly number[], hertz: number): [number, number] => {
+    const mean = values.reduce((a, b) => a + b, 0) / values.length;
+    let [c, s] = [0, 0];
+    used.forEach((f, i) => {
+      c += (values[i] - mean) * Math.cos((2 * Math.PI * hertz * f) / CLIP_RATE);
+      s += (values[i] - mean) * Math.sin((2 * Math.PI * hertz * f) / CLIP_RATE);
+    });
+    return [(2 * Math.hypot(c, s)) / values.length, Math.atan2(s, c)];
+  };
+  let stride = 0.5;
+  for (let hertz = 0.5; hertz < 2; hertz += 0.005)
+    if (harmonic(feet, hertz)[0] > harmonic(feet, stride)[0]) stride = hertz;
+  const [turn, phase] = harmonic(yaw, stride);
+  const lag = phase - harmonic(feet, stride)[1];
+  return [turn * Math.cos(lag), turn * Math.sin(lag)];
 }

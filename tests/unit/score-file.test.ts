@@ -141,7 +141,8 @@ describe("layers", () => {
 
   it("knees of a jog turn no faster than runners' do, and much faster without their layer", () => {
     const jog = styleScore("jogging");
-    expect(jerk(renderWorkings(jog))).toBeLessThan(310);
-    expect(jerk(renderWorkings({ ...jog, without: ["knees"] }))).toBeGreaterThan(420);
+    const eased = jerk(renderWorkings(jog));
+    expect(eased).toBeLessThan(310);
+    expect(jerk(renderWorkings({ ...jog, without: ["knees"] }))).toBeGreaterThan(1.3 * eased);
   });
 });
