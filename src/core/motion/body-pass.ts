@@ -383,7 +383,8 @@ function writeFeet(
     swingFoot(track.feet, o, setup, f, source, here);
     const u = t / (step.end - step.start);
     const late = u > 0.5 ? smooth((u - 0.5) / 0.5) : 0;
-    addLift(track.feet, o, state, f, state.liftAge[f], (LIFT_PART * (step.end - step.start)) / CLIP_RATE);
+    const part = setup.plantBefore[f] === "enforce" ? HELD_LIFT_PART : LIFT_PART;
+    addLift(track.feet, o, state, f, state.liftAge[f], (part * (step.end - step.start)) / CLIP_RATE);
     addGap(track.feet, o, state.landGap, 7 * f, late);
     // The plant that follows starts from the pitch that the swing has led to.
     state.landedAge[f] = 0;
@@ -464,6 +465,8 @@ function takeGap(
 
 /** Part of a swing in which what is left of the plant before it dies out. */
 const LIFT_PART = 0.4;
+/** Likewise after a foot that the user held flat to its last moment: it has all of its roll to make up for. */
+const HELD_LIFT_PART = 0.6;
 
 /** What is left of the lift's gap, added to a foot `age` seconds after its last planted frame. */
 function addLift(
