@@ -2,7 +2,8 @@
  * The family of a loop with progressively shorter strides [Express §7.2], built ahead and sampled by curvature.
  *
  * A member keeps the loop's timing and its upper body. Distances between foot-plants and the feet's vertical range shrink,
- * the roll of the foot with them; the hips rise or sink so that the bearing leg stays as bent as it was.
+ * the roll of the foot with them; the hips rise or sink so that the bearing leg stays as bent as it was on the mean, and go up and
+ * down in proportion to the stride.
  */
 import { quatRotate } from "../math/quaternion.ts";
 import { plantedAnkle } from "../motion/sole.ts";
@@ -110,8 +111,15 @@ export function buildFamily(
       rise[f] = sum / weight;
     }
     softenCircle(rise, n, 4);
+    // Who takes shorter steps in the same time also bounces less.
+    let mean = 0;
+    for (let f = 0; f < n; f++) {
+      if (m === 0) rise[f] = 0;
+      rise[f] += loop.rows[ROW * f + 2];
+      mean += rise[f] / n;
+    }
     for (let f = 0; f < n; f++)
-      family.rows[(m * n + f) * MEMBER_ROW + 1] = loop.rows[ROW * f + 2] + (m === 0 ? 0 : rise[f]);
+      family.rows[(m * n + f) * MEMBER_ROW + 1] = m === 0 ? rise[f] : mean + c * (rise[f] - mean);
     onMember(m, members);
   }
   return family;
