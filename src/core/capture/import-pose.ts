@@ -1,8 +1,8 @@
 /** Our skeleton posed like a file's joints: bones take their directions, knees and elbows bend in their planes, ankles stand on theirs. */
 import { quatFromBasis, solveLeg } from "../ik/leg.ts";
 import { solveTwoBone } from "../ik/two-bone.ts";
+import { unit } from "../math/interpolate.ts";
 import {
-  quatBetween,
   quatFromAxisAngle,
   quatFromYawPitchRoll,
   quatInverseMultiply,
@@ -86,11 +86,10 @@ export function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibr
     const d = up[0] * x[0] + up[1] * x[1] + up[2] * x[2];
     const y = [up[0] - d * x[0], up[1] - d * x[1], up[2] - d * x[2]];
     const m = Math.hypot(y[0], y[1], y[2]) || 1;
-    quatBetween(q, o, 1, 0, 0, x[0], x[1], x[2]);
-    quatRotate(v, 9, q, o, 0, 1, 0);
-    quatBetween(q, 20, v[9], v[10], v[11], y[0] / m, y[1] / m, y[2] / m);
-    // The second turn is about x, unless up was turned over altogether.
-    quatMultiply(q, o, q, 20, q, o);
+    for (let k = 0; k < 3; k++) y[k] /= m;
+    // Not by one turn after another: a half turn has no axis, and a figure that faces backwards lost its trunk for a frame.
+    const z = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
+    quatFromBasis(q, o, x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]);
     quatNormalize(q, o);
   };
   const sub = (at: Float64Array, a: number, b: number): Float64Array =>
@@ -122,7 +121,10 @@ export function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibr
     basis(0, sub(at, lul, rul), up);
     const shoulders = lua !== undefined && rua !== undefined ? sub(at, lua, rua) : sub(at, lul, rul);
     const chest = g("chest") ?? low;
-    const chestUp = top !== undefined && chest !== undefined && chest !== top ? sub(at, top, chest) : trunkUp;
+    const overChest =
+      top !== undefined && chest !== undefined && chest !== top ? sub(at, top, chest) : trunkUp;
+    // Some skeletons have the neck where the chest is: then it says nothing, and the trunk does.
+    const chestUp = Math.hypot(...overChest) > 0.05 * Math.hypot(...trunkUp) ? overChest : trunkUp;
     basis(4, shoulders, chestUp);
     const head = g("head");
     const neck = g("neck");
@@ -157,15 +159,25 @@ export function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibr
       const ay = at[3 * foot + 1] - feet.ankle[side] + rise;
       const az = at[3 * foot + 2];
       // Which way the knee points: out of the line from hip to ankle, else with the foot.
-      const mid = [0, 1, 2].map((k) => at[3 * knee + k] - (at[3 * hip + k] + at[3 * foot + k]) / 2);
-      const ahead = toe !== undefined ? [at[3 * toe] - ax, 0, at[3 * toe + 2] - az] : [Math.sin(0), 0, 1];
-      if (toe === undefined) {
-        quatRotate(v, 0, pose, 0, 0, 0, 1);
-        for (let k = 0; k < 3; k++) ahead[k] = v[k];
+      const toKnee = sub(at, knee, hip);
+      const toAnkle = sub(at, foot, hip);
+      const reach = toAnkle[0] ** 2 + toAnkle[1] ** 2 + toAnkle[2] ** 2 || 1;
+      const share = (toKnee[0] * toAnkle[0] + toKnee[1] * toAnkle[1] + toKnee[2] * toAnkle[2]) / reach;
+      const mid = toKnee.map((x, k) => x - share * toAnkle[k]);
+      // A foot that stands on its toes shows no way ahead on the ground: the less it does, the more the pelvis says.
+      quatRotate(v, 0, pose, 0, 0, 0, 1);
+      const ahead = [v[0], 0, v[2]];
+      if (toe !== undefined) {
+        const along = [at[3 * toe] - ax, at[3 * toe + 1] - at[3 * foot + 1], at[3 * toe + 2] - az];
+        const steep = Math.hypot(along[0], along[1], along[2]) - Math.hypot(along[0], along[2]);
+        for (const k of [0, 2]) ahead[k] = along[k] + steep * v[k];
       }
       const out = Math.hypot(mid[0], mid[1], mid[2]);
-      const f = Math.min(1, out / 0.03);
       const n = Math.hypot(ahead[0], ahead[2]) || 1;
+      // Knees do not bend backwards: a straight one that seems to, by centimetres, is not believed.
+      const forward = (mid[0] * ahead[0] + mid[2] * ahead[2]) / (n * (out || 1));
+      const bent = Math.max(unit(2 * forward + 0.5), unit(out / 0.03 - 1));
+      const f = bent * unit(out / 0.03);
       solveLeg(
         pose,
         positions,

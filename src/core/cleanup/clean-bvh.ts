@@ -9,7 +9,7 @@ import type { Clip } from "../capture/clip.ts";
 import { jointsOf } from "../capture/import.ts";
 import type { JointName } from "../skeleton/joints.ts";
 import type { ContactTrack } from "../steps/types.ts";
-import { feetOf } from "./feet.ts";
+import { type FileFeet, feetOf } from "./feet.ts";
 import { writeRoot } from "./file-motion.ts";
 import { closeLeg, hingeOf, lowerRoot, settleKnee } from "./legs.ts";
 import { correctFoot } from "./roll.ts";
@@ -39,7 +39,17 @@ export function cleanBvh(
   contacts: ContactTrack,
   joints: Map<JointName, number> = jointsOf(file),
 ): { file: BvhFile; report: CleanReport } {
-  const { legs, motion, scale, pads, bits } = feetOf(file, clip, contacts, joints);
+  // Once to put the feet on the ground, and again with the soles that show there.
+  const first = cleanWith(feetOf(file, clip, contacts, joints), file, clip, joints);
+  return cleanWith(feetOf(file, clip, contacts, joints, first.file), file, clip, joints);
+}
+
+function cleanWith(
+  { legs, motion, scale, pads, bits }: FileFeet,
+  file: BvhFile,
+  clip: Clip,
+  joints: Map<JointName, number>,
+): { file: BvhFile; report: CleanReport } {
   const { frames: n, rate } = motion;
   const corrections = pads.map((p, side) =>
     correctFoot(p, bits[side], kneesOf(motion, legs[side]).gain, {

@@ -7,7 +7,7 @@ import type { JointName } from "../skeleton/joints.ts";
 import type { ContactTrack } from "../steps/types.ts";
 import { fileMotion } from "./file-motion.ts";
 import type { Leg } from "./legs.ts";
-import { type FileMotion, type FootJoints, type PadTrack, padsOf } from "./soles.ts";
+import { type FileMotion, type FootJoints, type PadTrack, padsOf, solesOf } from "./soles.ts";
 
 export interface FileFeet {
   legs: (Leg & FootJoints)[];
@@ -19,12 +19,17 @@ export interface FileFeet {
   bits: Uint8Array[];
 }
 
-/** @throws Error when thigh, shank and foot do not follow one another in the file's skeleton. */
+/**
+ * @param rested the same motion with its feet on the ground, once it is known: there soles show where they are. A capture that floats
+ * up and down tells them a centimetre too high or too low, and a foot that rolls then slides by millimetres.
+ * @throws Error when thigh, shank and foot do not follow one another in the file's skeleton.
+ */
 export function feetOf(
   file: BvhFile,
   clip: Clip,
   contacts: ContactTrack,
   joints: Map<JointName, number>,
+  rested: BvhFile = file,
 ): FileFeet {
   const legs = (["left", "right"] as const).map((side): Leg & FootJoints => {
     const index = (name: "UpperLeg" | "LowerLeg" | "Foot" | "Toes") => joints.get(`${side}${name}`) ?? -1;
@@ -41,13 +46,15 @@ export function feetOf(
   const clipFrame = (f: number): number =>
     Math.max(0, Math.min(clip.frames - 1, Math.round((f * clip.rate) / rate)));
   const bitsOf = (f: number, side: number): number => (contacts[clipFrame(f)] >> (2 * side)) & 3;
-  const pads = padsOf(motion, legs, bitsOf, clip.skeleton.legLength, (f, side) => {
+  const onGround = rested === file ? motion : fileMotion(rested, scale, up);
+  const soles = solesOf(onGround, legs, bitsOf, clip.skeleton.legLength, (f, side) => {
     const o = (2 * clipFrame(f) + side) * LEG_ROW;
     const x = track.points[o + POINT.tip] - track.points[o + POINT.ankle];
     const z = track.points[o + POINT.tip + 2] - track.points[o + POINT.ankle + 2];
     // The clip's ground is x, z; the file's first ground axis is z under Y up, and x, then -z, under Z up.
     return up === "y" ? [z, x] : [x, -z];
   });
+  const pads = legs.map((leg, side) => padsOf(motion, leg, soles[side]));
   const bits = [0, 1].map((side) => Uint8Array.from({ length: n }, (_, f) => bitsOf(f, side)));
   return { legs, motion, scale, pads, bits };
 }

@@ -32,10 +32,14 @@ export interface RollOptions {
   blend: number;
 }
 
-/** A foot that is still low and slow beside its plant belongs to it, for so long: seconds, metres, metres a second at a leg of 0.93 m. */
-const BESIDE = 0.1;
+/**
+ * A foot that is still low and slow beside its plant belongs to it, for so long: seconds, metres, metres a second at a leg of 0.93 m.
+ * Longer and faster, clean-up moved the feet of motions that slide by half a millimetre by 9 cm in the air; much shorter or slower, it
+ * misses what an oracle's label ends too early.
+ */
+const BESIDE = 0.05;
 const BESIDE_HEIGHT = 0.06;
-const BESIDE_SPEED = 0.9;
+const BESIDE_SPEED = 0.7;
 /**
  * A label is good to a frame: beside it, while the foot's other pad bears, a slow pad that is no higher than this bears too, for so
  * long. Seconds; metres and metres a second at a leg of 0.93 m.
@@ -49,6 +53,11 @@ const LANDED = 0.9;
 const JUMP = 8;
 /** Softness of what is done to heights, seconds. */
 const HEIGHT_SOFT = 0.1;
+/**
+ * A frame in which heel or toe alone bears says so much of a plant's height, against one of a flat foot. Pads hang over the ground
+ * at strike and push-off; with as much to say they pulled the flat foot of a run under it, by 5 mm.
+ */
+const EDGE_SAYS = 0.1;
 /** Plants whose heights differ by more than this are taken to stand on uneven ground, metres at a leg of 0.93 m. */
 const UNEVEN = 0.075;
 /** A correction that moves at a plant's edge comes to rest within this time, seconds. */
@@ -233,6 +242,32 @@ export function stillest(out: Float64Array, points: Float64Array, f: number, bit
 }
 
 /**
+ * What heel and toe move in common: of the toe pad and the toe joint, whatever goes with the heel. The stillest of each alone would
+ * do for a foot that rolls on the spot; where the whole figure drifts it is the one that happens to go against the drift.
+ */
+function slideOfBoth(out: Float64Array, points: Float64Array, f: number): void {
+  stillest(out, points, f, 1);
+  const hx = out[0];
+  const hz = out[1];
+  const step = (at: number): [number, number] => {
+    const o = f * PAD_ROW + at;
+    return [points[o + PAD_ROW] - points[o], points[o + PAD_ROW + 1] - points[o + 1]];
+  };
+  const [ax, az] = step(PAD.ball);
+  const [bx, bz] = step(PAD.tip);
+  const [jx, jz] = step(PAD.joint);
+  const ex = bx - ax;
+  const ez = bz - az;
+  const e = ex * ex + ez * ez;
+  const u = e > 1e-16 ? Math.max(0, Math.min(1, ((hx - ax) * ex + (hz - az) * ez) / e)) : 0;
+  const tx = ax + u * ex;
+  const tz = az + u * ez;
+  const pad = Math.hypot(tx - hx, tz - hz) <= Math.hypot(jx - hx, jz - hz);
+  out[0] = (hx + (pad ? tx : jx)) / 2;
+  out[1] = (hz + (pad ? tz : jz)) / 2;
+}
+
+/**
  * Tilts foot and toes so that their slopes change less while heel and toe are both down: a foot that rests on both does not pitch.
  * What they are tilted at the first and last flat frame fades in the frames beside.
  */
@@ -291,11 +326,12 @@ function tiltPoints(points: Float64Array, f: number, { heading, tilt, toeTilt }:
     for (let k = 0; k < 3; k++) points[o + at + k] += points[o + PAD.joint + k] - before[k];
 }
 
-/** Turns the foot so that its heading stays while heel and toe are both down; before and after it keeps the nearest flat frame's turn. */
+/**
+ * Turns the foot so that its heading stays while heel and toe are both down; between such stretches the turn goes over from one to
+ * the other, before the first and after the last it stays. Each stretch has a heading of its own: a foot that turns on the spot
+ * swivels on heel or toe between them.
+ */
 function holdHeading(points: Float64Array, bits: Uint8Array, { from, to }: Plant, turn: Float64Array): void {
-  let x = 0;
-  let z = 0;
-  let flats = 0;
   const heading = (f: number): [number, number] => {
     const o = f * PAD_ROW;
     const dx = points[o + PAD.ball] - points[o + PAD.heelFar];
@@ -303,25 +339,31 @@ function holdHeading(points: Float64Array, bits: Uint8Array, { from, to }: Plant
     const l = Math.hypot(dx, dz) || 1;
     return [dx / l, dz / l];
   };
-  for (let f = from; f < to; f++) {
-    if (bits[f] !== 3) continue;
-    const [dx, dz] = heading(f);
-    x += dx;
-    z += dz;
-    flats++;
-  }
-  if (flats < 2) return;
   let last = -1;
-  for (let f = from; f < to; f++) {
-    if (bits[f] !== 3) {
-      if (last >= 0) turn[f] = turn[last];
-      continue;
+  for (let first = from; first < to; first++) {
+    if (bits[first] !== 3) continue;
+    let end = first;
+    let x = 0;
+    let z = 0;
+    for (; end < to && bits[end] === 3; end++) {
+      const [dx, dz] = heading(end);
+      x += dx;
+      z += dz;
     }
-    const [dx, dz] = heading(f);
-    turn[f] = Math.atan2(dx * z - dz * x, dx * x + dz * z);
-    if (last < 0) turn.fill(turn[f], from, f);
-    last = f;
+    for (let f = first; f < end; f++) {
+      const [dx, dz] = heading(f);
+      turn[f] = Math.atan2(dx * z - dz * x, dx * x + dz * z);
+    }
+    for (let f = last < 0 ? from : last + 1; f < first; f++)
+      turn[f] =
+        last < 0
+          ? turn[first]
+          : turn[last] + smooth((f - last) / (first - last)) * (turn[first] - turn[last]);
+    last = end - 1;
+    first = last;
   }
+  if (last < 0) return;
+  turn.fill(turn[last], last + 1, to);
   for (let f = from; f < to; f++) {
     const c = Math.cos(turn[f]);
     const s = Math.sin(turn[f]);
@@ -359,18 +401,10 @@ function rollPlant(
     if (f + 1 === to) break;
     // Pads that bear in both frames; where heel hands over to toe between two frames, either.
     const both = bits[f] & bits[f + 1] || bits[f] | bits[f + 1];
-    let sx = 0;
-    let sz = 0;
-    let count = 0;
-    for (const bit of [1, 2]) {
-      if (!(both & bit)) continue;
-      stillest(slide, points, f, bit);
-      sx += slide[0];
-      sz += slide[1];
-      count++;
-    }
-    x -= sx / count;
-    z -= sz / count;
+    if (both === 3) slideOfBoth(slide, points, f);
+    else stillest(slide, points, f, both);
+    x -= slide[0];
+    z -= slide[1];
   }
   for (let f = from; f < to; f++) {
     move[3 * f] -= meanX / total;
@@ -402,6 +436,7 @@ function levelPlants(
     return count > 0 ? sum / count : 0;
   };
   const middle = (values: number[]): number => values.sort((a, b) => a - b)[values.length >> 1] ?? 0;
+  const level: number[] = [];
   for (const plant of plants) {
     const flat: number[] = [];
     const any: number[] = [];
@@ -414,8 +449,10 @@ function levelPlants(
       if (bits[f] === 3) flat.push(low);
     }
     plant.height = middle(flat.length > 1 ? flat : any);
+    if (flat.length > 1) level.push(plant.height);
   }
-  const heights = plants.map((p) => p.height);
+  // Where a foot lies flat the ground is; a toe alone may well hang over it.
+  const heights = level.length > 0 ? level : plants.map((p) => p.height);
   const spread = Math.max(...heights) - Math.min(...heights);
   const uneven = spread > UNEVEN * (o.leg / 0.93);
   for (const plant of plants) {
@@ -424,8 +461,13 @@ function levelPlants(
       { length: plant.to - plant.from },
       (_, k) => -gapOf(plant.from + k, ground),
     );
-    gaussian(need, 1, Math.max(0.5, HEIGHT_SOFT * o.rate));
-    for (let f = plant.from; f < plant.to; f++) move[3 * f + 2] = need[f - plant.from];
+    const weight = need.map((_, k) => (bits[plant.from + k] === 3 ? 1 : EDGE_SAYS));
+    for (let k = 0; k < need.length; k++) need[k] *= weight[k];
+    const soft = Math.max(0.5, HEIGHT_SOFT * o.rate);
+    gaussian(need, 1, soft);
+    gaussian(weight, 1, soft);
+    for (let f = plant.from; f < plant.to; f++)
+      move[3 * f + 2] = need[f - plant.from] / weight[f - plant.from];
   }
 }
 

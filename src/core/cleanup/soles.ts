@@ -54,20 +54,36 @@ const UNALIKE = 0.009;
 /** Ankle to ball where there are no toes: of the leg. */
 const BASE = 0.135;
 
+/** A foot's sole in the axes of its own joints: where its pads are, whatever the foot does. */
+export interface Sole {
+  /** Up and forward of the flat foot in the axes of the foot's joint and of the toes' (the foot's again where there are none). */
+  upFoot: Float64Array;
+  aheadFoot: Float64Array;
+  upToes: Float64Array;
+  aheadToes: Float64Array;
+  /** Heights of ankle and ball over the sole, and lengths from ankle to ball and from ball to tip, metres. */
+  ankle: number;
+  ball: number;
+  length: number;
+  tip: number;
+  /** Height of the ground under it when it lies flat, metres. */
+  ground: number;
+}
+
 /**
- * Pads of both feet.
+ * Soles of both feet.
  *
  * @param bits contact bits of a file frame and side: 1 heel, 2 toe.
  * @param leg leg length, metres.
  * @param forward a place ahead of the ankle for skeletons without toes: the imported clip's tip.
  */
-export function padsOf(
+export function solesOf(
   motion: FileMotion,
   feet: readonly FootJoints[],
   bits: (f: number, side: number) => number,
   leg: number,
   forward: (f: number, side: number) => readonly [number, number],
-): PadTrack[] {
+): Sole[] {
   const flats = feet.map((foot, side) => flatFrames(motion, foot, side, bits));
   const s = leg / 0.93;
   const [, , up] = motion.axes;
@@ -83,7 +99,7 @@ export function padsOf(
   const atZero = heights.every((h) => h >= least && h <= most);
   const ground = atZero ? 0 : Math.min(...heights) - usual;
   return feet.map((foot, side) =>
-    padsOfFoot(motion, foot, flats[side], heights[side] - ground, ground, leg, (f) => forward(f, side)),
+    soleOf(motion, foot, flats[side], heights[side] - ground, ground, leg, (f) => forward(f, side)),
   );
 }
 
@@ -128,7 +144,7 @@ function flatFrames(
   return [0];
 }
 
-function padsOfFoot(
+function soleOf(
   m: FileMotion,
   foot: FootJoints,
   flat: number[],
@@ -136,7 +152,7 @@ function padsOfFoot(
   ground: number,
   leg: number,
   forward: (f: number) => readonly [number, number],
-): PadTrack {
+): Sole {
   const [ga, gb, up] = m.axes;
   const toes = foot.toes >= 0 ? foot.toes : foot.foot;
   const v = new Float64Array(3);
@@ -174,6 +190,14 @@ function padsOfFoot(
   const length = foot.toes < 0 ? BASE * leg : median(flat.map((f) => gap(m, foot.foot, foot.toes, f)));
   const ball = foot.toes < 0 ? 0.2 * ankle : rest;
   const tip = SHOE * (foot.toeEnd > 0.1 * length ? foot.toeEnd : TIP_FORWARD * length);
+  return { upFoot, aheadFoot, upToes, aheadToes, ankle, ball, length, tip, ground };
+}
+
+/** Where the pads of a foot are, frame by frame. */
+export function padsOf(m: FileMotion, foot: FootJoints, sole: Sole): PadTrack {
+  const { upFoot, aheadFoot, upToes, aheadToes, ankle, ball, length, tip, ground } = sole;
+  const [ga, gb, up] = m.axes;
+  const v = new Float64Array(3);
   const out: PadTrack = { frames: m.frames, points: new Float64Array(PAD_ROW * m.frames), ground };
   const put = (
     f: number,

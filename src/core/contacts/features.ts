@@ -166,54 +166,108 @@ function footRows(track: MotionTrack, side: number): Float64Array {
 
 /** Frames before a frame that its features look at. */
 export const lookBack = (o: FeatureOptions): number =>
-  o.set !== "own" ? o.half : o.half + Math.max(FLOOR, REST + 3 * DRIFT_SOFT + 1);
+  o.set !== "own" ? o.half : o.half + Math.max(FLOOR, FLOW + 3 * DRIFT_SOFT + 1);
 
-/** Half of the time in which a foot is expected to rest once, frames, and softness of the drift found, frames. */
+/** Half of the time in which a foot is expected to rest once, frames. */
 const REST = 32;
-const DRIFT_SOFT = 9;
+/** Spread of the frames that say how the ground moves now, and how far they are looked at, frames. */
+const SPREAD = 18;
+const FLOW = 50;
+/** Points whose velocities differ by this stand on the same ground: metres a second at a leg of 0.93 m. */
+const ALIKE = 0.05;
+/** Rounds in which the velocity that most share is found; what is left of it afterwards is smoothed over so many frames. */
+const ROUNDS = 4;
+const DRIFT_SOFT = 5;
 
 /**
- * How the ground that a foot stands on moves: an edited motion drifts as a whole, and a planted foot with it. The velocity
- * of the foot's stillest point nearby, smoothed and summed: x, y, z a frame.
+ * How the ground that a foot stands on moves: an edited motion drifts as a whole, and a planted foot with it. The velocity that
+ * most of the foot's points have nearby in time, summed: x, y, z a frame.
+ *
+ * The stillest frames say where to begin; but what is stillest in a drift is often a point that happens to roll against it. From
+ * there the mean moves to where velocities gather (mean shift). Each foot has its own: feet of a blended motion slide apart.
  */
 function driftOf(track: MotionTrack, side: number): Float64Array {
   const n = track.frames;
-  const still = new Float64Array(3 * n);
+  const velocity = soleVelocities(track, side);
+  const row = 3 * SOLE.length;
   const speed = new Float64Array(n);
+  const stillest = new Int32Array(n);
   for (let f = 0; f < n; f++) {
-    const a = Math.max(0, f - 1);
-    const b = Math.min(n - 1, f + 1);
     speed[f] = Number.POSITIVE_INFINITY;
-    for (const point of SOLE) {
-      const i = (2 * a + side) * LEG_ROW + point;
-      const j = (2 * b + side) * LEG_ROW + point;
-      const inverse = 1 / Math.max(1, b - a);
-      const vx = (track.points[j] - track.points[i]) * inverse;
-      const vy = (track.points[j + 1] - track.points[i + 1]) * inverse;
-      const vz = (track.points[j + 2] - track.points[i + 2]) * inverse;
-      const v = Math.hypot(vx, vy, vz);
+    for (let i = row * f; i < row * (f + 1); i += 3) {
+      const v = Math.hypot(velocity[i], velocity[i + 1], velocity[i + 2]);
       if (v >= speed[f]) continue;
       speed[f] = v;
-      still.set([vx, vy, vz], 3 * f);
+      stillest[f] = i;
     }
   }
+  const nearness = Float64Array.from({ length: FLOW + 1 }, (_, k) => Math.exp(-0.5 * (k / SPREAD) ** 2));
+  const alike = ((ALIKE * track.leg) / 0.93 / 60) ** 2;
   const out = new Float64Array(3 * n);
   for (let f = 0; f < n; f++) {
     let total = 0;
     let least = Number.POSITIVE_INFINITY;
-    for (let g = Math.max(0, f - REST); g <= Math.min(n - 1, f + REST); g++)
-      least = Math.min(least, speed[g]);
-    for (let g = Math.max(0, f - REST); g <= Math.min(n - 1, f + REST); g++) {
+    const from = Math.max(0, f - REST);
+    const to = Math.min(n - 1, f + REST);
+    for (let g = from; g <= to; g++) least = Math.min(least, speed[g]);
+    let x = 0;
+    let y = 0;
+    let z = 0;
+    for (let g = from; g <= to; g++) {
       // Frames nearly as still as the stillest speak, the nearer the louder.
       if (speed[g] > 1.5 * least + 2e-4) continue;
       const weight = 1 / (4 + Math.abs(g - f));
-      for (let k = 0; k < 3; k++) out[3 * f + k] += weight * still[3 * g + k];
+      x += weight * velocity[stillest[g]];
+      y += weight * velocity[stillest[g] + 1];
+      z += weight * velocity[stillest[g] + 2];
       total += weight;
     }
-    for (let k = 0; k < 3; k++) out[3 * f + k] /= total;
+    for (let round = 0; round <= ROUNDS; round++) {
+      x /= total;
+      y /= total;
+      z /= total;
+      if (round === ROUNDS) break;
+      let sx = 0;
+      let sy = 0;
+      let sz = 0;
+      total = 0;
+      for (let g = Math.max(0, f - FLOW); g <= Math.min(n - 1, f + FLOW); g++) {
+        for (let i = row * g; i < row * (g + 1); i += 3) {
+          const far = (velocity[i] - x) ** 2 + (velocity[i + 1] - y) ** 2 + (velocity[i + 2] - z) ** 2;
+          const weight = nearness[Math.abs(g - f)] / (1 + far / alike) ** 2;
+          sx += weight * velocity[i];
+          sy += weight * velocity[i + 1];
+          sz += weight * velocity[i + 2];
+          total += weight;
+        }
+      }
+      x = sx;
+      y = sy;
+      z = sz;
+    }
+    out[3 * f] = x;
+    out[3 * f + 1] = y;
+    out[3 * f + 2] = z;
   }
   gaussian(out, 3, DRIFT_SOFT);
   for (let i = 3; i < 3 * n; i++) out[i] += out[i - 3];
+  return out;
+}
+
+/** Velocities of a sole's points, metres a frame: frames x points x 3. */
+function soleVelocities(track: MotionTrack, side: number): Float64Array {
+  const n = track.frames;
+  const out = new Float64Array(3 * SOLE.length * n);
+  for (let f = 0; f < n; f++) {
+    const a = Math.max(0, f - 1);
+    const b = Math.min(n - 1, f + 1);
+    SOLE.forEach((point, c) => {
+      const i = (2 * a + side) * LEG_ROW + point;
+      const j = (2 * b + side) * LEG_ROW + point;
+      for (let k = 0; k < 3; k++)
+        out[3 * (SOLE.length * f + c) + k] = (track.points[j + k] - track.points[i + k]) / Math.max(1, b - a);
+    });
+  }
   return out;
 }
 

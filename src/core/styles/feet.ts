@@ -325,6 +325,7 @@ function swing(
     const low = track.ankle[p + 1] + lowestOf(shape, track.pitch[i], track.toeBend[i]);
     need[f - last - 1] = Math.max(0, wanted - low);
   }
+  if (before && before.to - before.from > 1) springBack(track, side, last, next);
   // Raised where it would scrape, softly, and nowhere else.
   const lift = softEnvelope(need, Math.max(2, Math.min(LIFT_OVER, length >> 2)));
   for (let f = last + 1; f < next; f++) {
@@ -340,6 +341,24 @@ function swing(
     if (heelAndBall < 0) track.ankle[p + 1] -= heelAndBall;
     const grounded = tipClearBend(shape, track.pitch[i], track.ankle[p + 1] + 1e-4);
     if (grounded > track.toeBend[i]) track.toeBend[i] = Math.min(grounded, track.toeBend[i] + MOST_TOE_GIVE);
+  }
+}
+
+/** Frames in which toes that leave the ground come round to the sample's bend, and the rate of the damped spring that they are, a frame. */
+const SPRING_OVER = 16;
+const SPRING = 0.5;
+
+/** The bend goes on as it was on the ground; let go at once, toes of runners snapped down faster than the sample's. */
+function springBack(track: FeetTrack, side: number, last: number, next: number): void {
+  const at = (f: number): number => 2 * f + side;
+  let bend = track.toeBend[at(last)];
+  let speed = bend - track.toeBend[at(last - 1)];
+  const over = Math.min(SPRING_OVER, (next - last) >> 1);
+  for (let k = 1; k < over; k++) {
+    const i = at(last + k);
+    speed += SPRING * SPRING * (track.toeBend[i] - bend) - 2 * SPRING * speed;
+    bend += speed;
+    track.toeBend[i] += (1 - smoothstep(k / over)) * (bend - track.toeBend[i]);
   }
 }
 
