@@ -92,9 +92,11 @@ const SPECS: Record<Style, StyleSpec> = {
     phrase: {
       strides: 3,
       lines: [
-        ...seesaw(4, 16, 0.2),
-        ...seesaw(5, 14, 0.2),
+        ...seesaw(4, 15, 0.2),
+        ...seesaw(5, 13, 0.2),
         ...seesaw(7, 7, 0.2),
+        ...seesaw(12, 2, 0.2),
+        ...seesaw(17, 1, 0.2),
         { part: "tip", times: 4, amount: -2.4, at: 0.18 },
         { part: "tip", times: 5, amount: -2.2, at: 0.18 },
         { part: "leftSwing", times: 4, amount: 11, at: 0.1 },
