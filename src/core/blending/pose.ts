@@ -30,7 +30,7 @@ import {
   STEPPING,
   T1,
 } from "./batch.ts";
-import { easeAnkle, footAt } from "./foot-track.ts";
+import { easeAirborne, easeAnkle, footAt } from "./foot-track.ts";
 import { closeLeg, type Leg, legOf, sinkFor } from "./leg-ik.ts";
 import { easedShare, FLIGHT, HIPS_AT } from "./library.ts";
 import { rootAt } from "./root-track.ts";
@@ -195,11 +195,13 @@ export function writePose(b: Batch, i: number, t: number, dt: number, landed: nu
       turnJoint(world, upper + 2, -HIPS_TWIST * twist);
     }
     closeLeg(leg, offsets, pose, positions, world, upper, s, f);
-    if (s[f + AIR] === 1) continue;
     const q = 4 * (upper + 2);
     // Of the two quaternions of one turn the shorter way round: the other reads as a bend of a whole turn more.
     const bend = -2 * Math.atan2(pose[q + 3] < 0 ? -pose[q] : pose[q], Math.abs(pose[q + 3]));
-    if (easeAnkle(b, i, side, bend)) closeLeg(leg, offsets, pose, positions, world, upper, s, f);
+    const air = s[f + AIR] === 1;
+    if (air ? easeAirborne(b, i, side, bend) : easeAnkle(b, i, side, bend))
+      closeLeg(leg, offsets, pose, positions, world, upper, s, f);
+    if (air) continue;
     contacts |= contactsOfPitch(s[f + PITCH]) << (2 * side);
   }
   b.root[3 * i] = positions[0];
