@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { type Field, fieldsOf, type ThingName } from "../../core/scene/fields.ts";
 import type { Editor } from "../editor.ts";
+import { dial } from "./dial.ts";
 import { numberField } from "./number-field.ts";
 
 type Value = number | string | boolean | null | readonly number[];
@@ -69,7 +70,11 @@ function control(e: Editor, f: Field, value: Value, rows: RowsOf): TemplateResul
       ),
     )}</div>`;
   }
-  return html`${numberField(e, f.label, "", value === null ? "" : shownNumber(Number(value), f.unit), f.unit, (v) => set(fromShown(v, f.unit)))}`;
+  const number = html`${numberField(e, f.label, "", value === null ? "" : shownNumber(Number(value), f.unit), f.unit, (v) => set(fromShown(v, f.unit)))}`;
+  // Angles of the document are facings.
+  return f.unit === "°" && value !== null
+    ? html`<div class="fields turning">${dial(e, Number(value), set)}${number}</div>`
+    : number;
 }
 
 function segments(
