@@ -1,6 +1,7 @@
 /** The panel's sliders and switches. */
 import { html, type TemplateResult } from "lit";
 import { unsafeHTML } from "lit/directives/unsafe-html.js";
+import { passed } from "../editor/parts/schema-rows.ts";
 import { layerLine } from "../plots/layer-line.ts";
 import { LAYERS, type Layer } from "../studio/score.ts";
 import { STYLES, type Style } from "../studio/styles.ts";
@@ -65,7 +66,7 @@ function row(slider: Slider, settings: WalkSettings, acts: Acts): TemplateResult
   const id = `slider-${slider.id}`;
   return html`<div class="row slider">
     <label for=${id}>${slider.label}</label>
-    <input id=${id} type="range" min=${slider.min} max=${slider.max} step=${slider.step} .value=${String(value)}
+    <input id=${id} type="range" min=${slider.min} max=${slider.max} step=${slider.step} style=${passed(value, slider.min, slider.max)} .value=${String(value)}
       @input=${(e: Event) => change((e.target as HTMLInputElement).value)} />
     <span class="field">
       ${

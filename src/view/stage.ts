@@ -79,6 +79,8 @@ export class Stage {
   private full = true;
   private free: FreeRect = { left: 0, top: 0, right: 0, bottom: 0 };
   private size = { width: 1, height: 1 };
+  /** What was framed last, until the viewer takes the camera elsewhere. */
+  private framed: readonly (readonly [number, number, number])[] | null = null;
   /** Called after each drawn frame, for what lies over the canvas. */
   onDraw: () => void = () => undefined;
   /** Called when the drawing context was lost and does not come back. */
@@ -107,6 +109,9 @@ export class Stage {
     this.controls.maxPolarAngle = (80 * Math.PI) / 180;
     this.controls.update();
     this.room = createRoom(this.scene);
+    this.controls.addEventListener("start", () => {
+      this.framed = null;
+    });
     this.controls.addEventListener("change", () => {
       this.room.seenFrom(this.controls.getDistance());
       this.invalidate();
@@ -300,6 +305,7 @@ export class Stage {
   /** Frames points, with a body standing at each, inside the free part of the viewport; the view's direction stays. */
   frame(points: readonly (readonly [number, number, number])[]): void {
     if (points.length === 0) return;
+    this.framed = points;
     const box = new Box3();
     for (const p of points) box.expandByPoint(new Vector3(p[0], 0.62, p[2]));
     const c = box.getCenter(new Vector3());
@@ -330,7 +336,9 @@ export class Stage {
     this.invalidate();
   }
 
+  /** The canvas has another size or free part; what was framed is framed in it, unless the viewer has moved the camera since. */
   resize(width: number, height: number, free: FreeRect): void {
+    const before = JSON.stringify([this.size, this.free]);
     this.size = { width: Math.max(1, width), height: Math.max(1, height) };
     this.free = free;
     this.setDetail(this.budget.sparing);
@@ -345,6 +353,7 @@ export class Stage {
       this.size.height,
     );
     this.camera.updateProjectionMatrix();
+    if (this.framed && before !== JSON.stringify([this.size, this.free])) this.frame(this.framed);
     // A canvas of another size is empty: it is drawn before the page shows it.
     if (this.shaders && !this.held && !this.recorded) this.draw(performance.now());
     else this.invalidate();

@@ -10,7 +10,7 @@ import type { Editor } from "../editor.ts";
 import { stoneView } from "../layers/stones.ts";
 import { dial } from "../parts/dial.ts";
 import { numberField } from "../parts/number-field.ts";
-import { shownNumber } from "../parts/schema-rows.ts";
+import { passed, shownNumber } from "../parts/schema-rows.ts";
 import { onlyId } from "../selection.ts";
 import { STONE_ICON } from "../tools/stones.ts";
 import type { PanelTab } from "./panel-tab.ts";
@@ -105,7 +105,7 @@ function blendSection(e: Editor): TemplateResult | typeof nothing {
           <div>${unsafeSVG(weightBar(live))}</div>`
         : nothing
     }
-    <label class="row"><span>Follows</span><span class="between">footsteps <input type="range" min="0" max="1" step="0.05" aria-label="From footsteps to root: lambda 4" .value=${String(e.plan.lambda4)} @input=${(ev: Event) => e.plan.follow(Number((ev.target as HTMLInputElement).value))} /> root</span></label>
+    <label class="row"><span>Follows</span><span class="between">footsteps <input type="range" min="0" max="1" step="0.05" aria-label="From footsteps to root: lambda 4" style=${passed(e.plan.lambda4, 0, 1)} .value=${String(e.plan.lambda4)} @input=${(ev: Event) => e.plan.follow(Number((ev.target as HTMLInputElement).value))} /> root</span></label>
     <p class="note">${
       e.plan.lambda4 === 0
         ? "The feet land on the stones. Towards root, the clips that fit the body's speed count for more; up to beta the stones are still met."

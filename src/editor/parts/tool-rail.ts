@@ -18,7 +18,7 @@ export function toolRail(e: Editor): TemplateResult {
   return html`<div class="rail" role="toolbar" aria-orientation="vertical" aria-label="Tools">
     ${e.tools.all.map(
       (t) =>
-        html`<button aria-label=${t.label} data-tip="${t.label}  ${t.key}" aria-pressed=${t === current} class=${second(t) ? "wide" : ""} @click=${() => e.tools.use(t === current ? "select" : t.id)}>${t.icon}<span class="word">${t.label}</span></button>`,
+        html`<button aria-label=${t.label} data-tip=${t === current && t.choices ? nothing : `${t.label}  ${t.key}`} aria-pressed=${t === current} class=${second(t) ? "wide" : ""} @click=${() => e.tools.use(t === current ? "select" : t.id)}>${t.icon}<span class="word">${t.label}</span></button>`,
     )}
     <button class="narrow" aria-label="More" aria-haspopup="dialog" aria-expanded=${s.menu === "more"} @click=${() => e.setMenu("more")}>${ICONS.more}<span class="word">More</span></button>
     <hr />
