@@ -8,6 +8,7 @@ import { exportSwitches } from "./export-switches.ts";
 import { openHelp } from "./help-sheet.ts";
 import { menuRows } from "./menu-rows.ts";
 import { legendRows } from "./overlay.ts";
+import { speeds } from "./timeline.ts";
 
 /** Tools that narrow windows keep under "More": labels, and those that stand between the tens. */
 const second = (t: Tool): boolean => t.order >= 50 || t.order % 10 !== 0;
@@ -46,6 +47,10 @@ function more(e: Editor): TemplateResult {
     <div class="legend-rows">${legendRows(e)}</div>
     <hr />
     ${e.tools.all.filter(second).map((t) => act(t.label, () => e.tools.use(t.id)))}
+    ${act("Fit the view", () => e.frameScene())}
+    ${act(s.loop ? "Looping is on: turn it off" : "Play in a loop", () => e.playback.toggleLoop())}
+    <div class="row"><span>Speed</span>${speeds(e)}</div>
+    <hr />
     ${act(s.snap ? "Snapping is on: turn it off" : "Snap to 5 cm and 15°", () => e.set({ snap: !s.snap }))}
     ${act(s.theme === "light" ? "Dark theme" : "Light theme", () => e.toggleTheme())}
     ${act("Keys and help", () => openHelp(e))}

@@ -174,12 +174,13 @@ for (const [name, see] of Object.entries(PAGES)) {
           colorScheme === "dark" ? "Dark" : "Light",
         );
         await page.waitForTimeout(900);
-        await page.evaluate(() => {
+        await page.evaluate(async () => {
           window.stepwright?.draw(true);
-          window.stepwright?.draw(false);
+          for (let k = 0; k < 2; k++) await new Promise(requestAnimationFrame);
         });
         const fullPage = name.startsWith("lesson") || name === "studio";
         await page.screenshot({ path: `artefacts/gallery/${name}-${width}-${colorScheme}.png`, fullPage });
+        await page.evaluate(() => window.stepwright?.draw(false));
         for (const fault of [...(await pageFaults(page)), ...(await seriousViolations(page))])
           faults.add(`${width} ${colorScheme}: ${fault}`);
       }
