@@ -22,8 +22,8 @@ export function controls(state: PageState, acts: Acts): TemplateResult {
       <header><h3>Person</h3><button class="plain small" @click=${() => acts.takeStyle("walking")}>Reset</button></header>
       <label class="row"><span>Manner</span>
         <select class="field" .value=${state.style} @change=${(e: Event) => acts.takeStyle((e.target as HTMLSelectElement).value as Style)}>
-          ${state.style === "own" ? html`<option value="own" selected>own</option>` : ""}
-          ${STYLES.map((s) => html`<option value=${s} ?selected=${s === state.style}>${s}</option>`)}
+          ${state.style === "own" ? html`<option value="own" selected>Own</option>` : ""}
+          ${STYLES.map((s) => html`<option value=${s} ?selected=${s === state.style}>${s.charAt(0).toUpperCase()}${s.slice(1)}</option>`)}
         </select>
       </label>
       ${PERSON.map((s) => row(s, settings, acts))}

@@ -53,6 +53,11 @@ for (const c of cases)
     await page.locator("canvas").first().focus();
     await page.keyboard.press("Control+Shift+z");
     expect(await exported(page)).toBe(painted);
+    // Labels as files: those of before, then those painted.
+    for (const content of [before, painted]) {
+      await drop(page, { name: c.name.replace(/\.bvh$/, ".csv"), content });
+      await expect.poll(() => exported(page), { timeout: 60_000 }).toBe(content);
+    }
 
     await page.locator("canvas").first().focus();
     await page.keyboard.press("Enter");

@@ -15,6 +15,14 @@ export function pageFaults(page: Page): Promise<string[]> {
       `${e.tagName.toLowerCase()} "${(e.getAttribute("aria-label") ?? e.textContent ?? "").trim().replace(/\s+/g, " ").slice(0, 40)}"`;
     const wide = document.documentElement.scrollWidth - window.innerWidth;
     if (wide > 0) out.push(`the page is ${wide} px wider than its window`);
+    // A body that scrolls in a page that scrolls too leaves a blank end.
+    const { body, documentElement } = document;
+    const inner =
+      getComputedStyle(documentElement).overflowY !== "visible" &&
+      /auto|scroll/.test(getComputedStyle(body).overflowY) &&
+      body.scrollHeight > body.clientHeight + 1;
+    if (inner && documentElement.scrollHeight > window.innerHeight + 1)
+      out.push("the page scrolls inside itself");
 
     /** The part of an element that its scrolling and clipping ancestors leave to be seen. */
     const above = (e: Element): Element | null =>
