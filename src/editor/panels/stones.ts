@@ -34,7 +34,7 @@ function stoneSection(e: Editor): TemplateResult {
   const stone = scene.stones.find((s) => s.id === id);
   if (!stone)
     return html`<section class="section"><header><h3>Stones</h3><span>${scene.stones.length}</span></header>
-      <p class="note">Press S and click on the floor: each click is the next stone. Feet alternate by themselves; Q chooses one.</p></section>`;
+      <p class="note">With the Stones tool (S), click on the floor: each click is the next stone. Feet alternate by themselves; Q chooses one.</p></section>`;
   const [x, y, z] = stone.position;
   const set = (change: Partial<Omit<SceneStone, "id">>) => e.edit((s) => changeStone(s, stone.id, change));
   const order = scene.order.filter((k) => scene.stones.some((s) => s.id === k));

@@ -49,7 +49,7 @@ function more(e: Editor): TemplateResult {
     ${e.tools.all.filter(second).map((t) => act(t.label, () => e.tools.use(t.id)))}
     ${act("Fit the view", () => e.frameScene())}
     ${act(s.loop ? "Looping is on: turn it off" : "Play in a loop", () => e.playback.toggleLoop())}
-    <div class="row"><span>Speed</span>${speeds(e)}</div>
+    <div class="export-options"><div class="row"><span>Speed</span>${speeds(e)}</div></div>
     <hr />
     ${act(s.snap ? "Snapping is on: turn it off" : "Snap to 5 cm and 15°", () => e.set({ snap: !s.snap }))}
     ${act(s.theme === "light" ? "Dark theme" : "Light theme", () => e.toggleTheme())}

@@ -128,6 +128,9 @@ const EACH: Record<string, (page: Page) => Promise<unknown>> = {
     else await page.getByRole("button", { name: "More", exact: true }).click();
   },
   lesson: async (page) => {
+    // Charts are drawn for the window that they come up in.
+    await page.reload();
+    await page.waitForLoadState("networkidle");
     // Figures come as they are scrolled to.
     for (const figure of await page.locator("[data-figure], stepwright-scene").all()) {
       await figure.scrollIntoViewIfNeeded();
