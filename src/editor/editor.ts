@@ -134,6 +134,8 @@ export class Editor {
       right: floats ? 284 : 0,
       bottom: narrow ? 84 : 40,
     });
+    // The scene of now: a path that opens its lanes takes some of the viewport.
+    if (this.stage.framing && !this.tools.busy) this.frameScene();
     const tracks = this.places.timeline.getBoundingClientRect();
     this.tracksSize = { width: Math.max(240, tracks.width - 24), height: Math.max(60, tracks.height - 54) };
     this.redraw();

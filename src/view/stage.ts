@@ -246,6 +246,11 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Whether the camera is where `frame` put it: the viewer has not moved it since. */
+  get framing(): boolean {
+    return this.framed !== null;
+  }
+
   /** Edges of the free part of the viewport, CSS pixels of the canvas. */
   get freeRoom(): FreeRect {
     const { left, top, right, bottom } = this.free;
@@ -353,7 +358,9 @@ export class Stage {
       this.size.height,
     );
     this.camera.updateProjectionMatrix();
-    if (this.framed && before !== JSON.stringify([this.size, this.free])) this.frame(this.framed);
+    // Not under a drag, which would go astray.
+    if (this.framed && this.controls.enabled && before !== JSON.stringify([this.size, this.free]))
+      this.frame(this.framed);
     // A canvas of another size is empty: it is drawn before the page shows it.
     if (this.shaders && !this.held && !this.recorded) this.draw(performance.now());
     else this.invalidate();

@@ -61,10 +61,10 @@ function stepping(
   set: (change: { speed?: number; gait?: CrowdGait }) => void,
 ): TemplateResult {
   return html`<div class="row">Speed ${numberField(e, "Speed", "", speed.toFixed(2), "m/s", (v) => set({ speed: Math.max(0.05, Math.min(5, v)) }))}</div>
-    <label class="row">Gait <select aria-label="Gait" .value=${gait} @change=${(ev: Event) => set({ gait: (ev.target as HTMLSelectElement).value as CrowdGait })}>${CROWD_GAITS.map(
+    <label class="row">Gait <span class="field"><select aria-label="Gait" .value=${gait} @change=${(ev: Event) => set({ gait: (ev.target as HTMLSelectElement).value as CrowdGait })}>${CROWD_GAITS.map(
       (g) =>
         html`<option value=${g} ?selected=${g === gait}>${g === "usual" ? "As usual" : g[0].toUpperCase() + g.slice(1)}</option>`,
-    )}</select></label>`;
+    )}</select></span></label>`;
 }
 
 function chosen(e: Editor): TemplateResult | typeof nothing {
