@@ -52,8 +52,8 @@ export const mount: MountFigure = ({ box, parameters }) => {
     "s",
   );
   const windows = new Chart({
-    width: 420,
-    height: 250,
+    width: chartWidth(box, 300),
+    height: 200,
     x: [-10, 10],
     y: [-1.15, -0.6],
     xName: "Frames from the one asked",
@@ -143,7 +143,7 @@ export const mount: MountFigure = ({ box, parameters }) => {
       contactRows(
         [
           { name: "true", contacts, truth: null },
-          { name: "oracle", contacts: found, truth: contacts },
+          { name: "found", contacts: found, truth: contacts },
         ],
         LEFT_TOE,
         from,
