@@ -333,7 +333,7 @@ export class Stage {
         );
       }
     // A narrow picture is taken from farther off, or its sides are cut.
-    const farthest = this.farthest * Math.min(1.3, Math.max(1, (1.25 * high) / wide));
+    const farthest = this.farthest * Math.min(1.6, Math.max(1, (1.25 * high) / wide));
     this.controls.target.copy(c);
     this.controls.maxDistance = farthest + 1;
     this.camera.position.copy(c).addScaledVector(back, Math.max(NEAREST, Math.min(farthest, distance)));
