@@ -26,8 +26,9 @@ import type { Thing } from "./things/thing.ts";
 import { ToolHost } from "./tools/tool-host.ts";
 import { Markers } from "./viewport/markers.ts";
 
-/** Metres and radians that snapping rounds to. */
+/** Metres and radians that snapping rounds to, and metres that feet stand before a seat. */
 const SNAP_PLACE = 0.05;
+const FEET_BEFORE_SEAT = 0.6;
 const SNAP_TURN = Math.PI / 12;
 const snapTo = (v: number, step: number): number => Math.round(v / step) * step;
 
@@ -133,6 +134,8 @@ export class Editor {
       right: floats ? 284 : 0,
       bottom: narrow ? 84 : 40,
     });
+    // The scene of now: a path that opens its lanes takes some of the viewport.
+    if (this.stage.framing && !this.tools.busy) this.frameScene();
     const tracks = this.places.timeline.getBoundingClientRect();
     this.tracksSize = { width: Math.max(240, tracks.width - 24), height: Math.max(60, tracks.height - 54) };
     this.redraw();
@@ -148,6 +151,14 @@ export class Editor {
     this.stage.frame([
       [scene.start.position[0], 0, scene.start.position[1]],
       ...this.things().map((t): [number, number, number] => [t.position[0], t.position[1], t.position[2]]),
+      // Who sits has the feet before the seat.
+      ...scene.tasks
+        .filter((t) => t.category === "sit")
+        .map(({ position: [x, , z], yaw }): [number, number, number] => [
+          x + FEET_BEFORE_SEAT * Math.sin(yaw),
+          0,
+          z + FEET_BEFORE_SEAT * Math.cos(yaw),
+        ]),
       // Walls are seen to their ends.
       ...scene.props
         .filter((p) => p.kind === "wall")

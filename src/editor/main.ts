@@ -21,7 +21,7 @@ declare global {
       restartPlanner(): void;
       /** What lies on the graphics card, counted. */
       graphics(): { geometries: number; textures: number; programs: number };
-      /** Whether the room is drawn: not, to measure the rest. */
+      /** Whether the room is drawn: not, to measure the rest; on again, at once and in full. */
       draw(on: boolean): void;
       crowd(): {
         seconds: number;
@@ -92,7 +92,10 @@ async function start(): Promise<void> {
     seek: (time) => editor.playback.seek(time),
     restartPlanner: () => editor.plan.restart(),
     graphics: () => editor.stage.graphics(),
-    draw: (on) => editor.stage.hold(!on),
+    draw: (on) => {
+      editor.stage.hold(!on);
+      if (on) editor.stage.drawNow();
+    },
     crowd: () => {
       const { seconds, agents, left, ready, picked, story } = crowdSession(editor);
       return { seconds, agents, left, ready, picked, nodes: story?.x.length ?? 0 };

@@ -71,7 +71,15 @@ export class StepwrightScene extends Base {
   private watchers: { disconnect(): void }[] = [];
   private readonly view = el("div", { class: "view", part: "view" });
   private readonly bar = el("div", { class: "bar", part: "bar", hidden: true });
-  private readonly panelBox = el("div", { class: "panels", part: "panels", hidden: true });
+  /** Wider than a narrow page: keys scroll it. */
+  private readonly panelBox = el("div", {
+    class: "panels",
+    part: "panels",
+    role: "group",
+    "aria-label": "Panels",
+    tabindex: "0",
+    hidden: true,
+  });
   private readonly message = el("p", { class: "say", role: "alert", hidden: true });
   private readonly note = el("p", { class: "note", hidden: true });
   private readonly wait = el("span", { class: "wait" }, "Loading captures");

@@ -1,6 +1,7 @@
 /** The panel's sliders and switches. */
 import { html, type TemplateResult } from "lit";
 import { unsafeHTML } from "lit/directives/unsafe-html.js";
+import { passed } from "../editor/parts/schema-rows.ts";
 import { layerLine } from "../plots/layer-line.ts";
 import { LAYERS, type Layer } from "../studio/score.ts";
 import { STYLES, type Style } from "../studio/styles.ts";
@@ -21,8 +22,8 @@ export function controls(state: PageState, acts: Acts): TemplateResult {
       <header><h3>Person</h3><button class="plain small" @click=${() => acts.takeStyle("walking")}>Reset</button></header>
       <label class="row"><span>Manner</span>
         <select class="field" .value=${state.style} @change=${(e: Event) => acts.takeStyle((e.target as HTMLSelectElement).value as Style)}>
-          ${state.style === "own" ? html`<option value="own" selected>own</option>` : ""}
-          ${STYLES.map((s) => html`<option value=${s} ?selected=${s === state.style}>${s}</option>`)}
+          ${state.style === "own" ? html`<option value="own" selected>Own</option>` : ""}
+          ${STYLES.map((s) => html`<option value=${s} ?selected=${s === state.style}>${s.charAt(0).toUpperCase()}${s.slice(1)}</option>`)}
         </select>
       </label>
       ${PERSON.map((s) => row(s, settings, acts))}
@@ -65,7 +66,7 @@ function row(slider: Slider, settings: WalkSettings, acts: Acts): TemplateResult
   const id = `slider-${slider.id}`;
   return html`<div class="row slider">
     <label for=${id}>${slider.label}</label>
-    <input id=${id} type="range" min=${slider.min} max=${slider.max} step=${slider.step} .value=${String(value)}
+    <input id=${id} type="range" min=${slider.min} max=${slider.max} step=${slider.step} style=${passed(value, slider.min, slider.max)} .value=${String(value)}
       @input=${(e: Event) => change((e.target as HTMLInputElement).value)} />
     <span class="field">
       ${

@@ -44,7 +44,7 @@ export function curves(state: PageState, setTable: (table: boolean) => void): Te
     ${
       state.table
         ? table(walk, plots)
-        : html`<div class="joints">${plots.map(
+        : html`<div class="joints" role="group" aria-label="Curves of hip, knee and ankle" tabindex="0">${plots.map(
             (p) =>
               html`<figure><figcaption><strong>${p.joint}</strong> <span>${insideWords(p)}</span></figcaption>${unsafeHTML(gaitPlot(p))}</figure>`,
           )}</div>`

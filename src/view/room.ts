@@ -25,10 +25,11 @@ const HEIGHT = 3.2;
 
 /**
  * Light of the surroundings, the nine real spherical harmonics of the irradiance that three's RoomEnvironment gives (grey;
- * LightProbeGenerator over its cube, 128 pixels a face). Every surface here is matt, so that is all of it that shows; drawing
- * and filtering the cube at every start took a machine without a graphics card two seconds.
+ * LightProbeGenerator over its cube, 128 pixels a face), turned half about the vertical: its bright side is behind the viewer,
+ * who stands towards -Z here. Every surface here is matt, so that is all of it that shows; drawing and filtering the cube at every
+ * start took a machine without a graphics card two seconds.
  */
-const SURROUNDINGS = [3.7443, 1.7552, 1.6379, 0.2751, 0.2149, 1.089, 1.2234, -0.3486, -0.6103];
+const SURROUNDINGS = [3.7443, 1.7552, -1.6379, -0.2751, -0.2149, -1.089, 1.2234, -0.3486, -0.6103];
 
 /** What the floor, seen at a flat angle, mirrors of the surroundings: it lifts its shadows a little. */
 const GLOSS = 0.085;

@@ -79,6 +79,8 @@ export class Stage {
   private full = true;
   private free: FreeRect = { left: 0, top: 0, right: 0, bottom: 0 };
   private size = { width: 1, height: 1 };
+  /** What was framed last, until the viewer takes the camera elsewhere. */
+  private framed: readonly (readonly [number, number, number])[] | null = null;
   /** Called after each drawn frame, for what lies over the canvas. */
   onDraw: () => void = () => undefined;
   /** Called when the drawing context was lost and does not come back. */
@@ -107,6 +109,9 @@ export class Stage {
     this.controls.maxPolarAngle = (80 * Math.PI) / 180;
     this.controls.update();
     this.room = createRoom(this.scene);
+    this.controls.addEventListener("start", () => {
+      this.framed = null;
+    });
     this.controls.addEventListener("change", () => {
       this.room.seenFrom(this.controls.getDistance());
       this.invalidate();
@@ -241,6 +246,11 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Whether the camera is where `frame` put it: the viewer has not moved it since. */
+  get framing(): boolean {
+    return this.framed !== null;
+  }
+
   /** Edges of the free part of the viewport, CSS pixels of the canvas. */
   get freeRoom(): FreeRect {
     const { left, top, right, bottom } = this.free;
@@ -300,6 +310,7 @@ export class Stage {
   /** Frames points, with a body standing at each, inside the free part of the viewport; the view's direction stays. */
   frame(points: readonly (readonly [number, number, number])[]): void {
     if (points.length === 0) return;
+    this.framed = points;
     const box = new Box3();
     for (const p of points) box.expandByPoint(new Vector3(p[0], 0.62, p[2]));
     const c = box.getCenter(new Vector3());
@@ -322,7 +333,7 @@ export class Stage {
         );
       }
     // A narrow picture is taken from farther off, or its sides are cut.
-    const farthest = this.farthest * Math.min(1.3, Math.max(1, (1.25 * high) / wide));
+    const farthest = this.farthest * Math.min(1.6, Math.max(1, (1.25 * high) / wide));
     this.controls.target.copy(c);
     this.controls.maxDistance = farthest + 1;
     this.camera.position.copy(c).addScaledVector(back, Math.max(NEAREST, Math.min(farthest, distance)));
@@ -330,7 +341,9 @@ export class Stage {
     this.invalidate();
   }
 
+  /** The canvas has another size or free part; what was framed is framed in it, unless the viewer has moved the camera since. */
   resize(width: number, height: number, free: FreeRect): void {
+    const before = JSON.stringify([this.size, this.free]);
     this.size = { width: Math.max(1, width), height: Math.max(1, height) };
     this.free = free;
     this.setDetail(this.budget.sparing);
@@ -345,6 +358,9 @@ export class Stage {
       this.size.height,
     );
     this.camera.updateProjectionMatrix();
+    // Not under a drag, which would go astray.
+    if (this.framed && this.controls.enabled && before !== JSON.stringify([this.size, this.free]))
+      this.frame(this.framed);
     // A canvas of another size is empty: it is drawn before the page shows it.
     if (this.shaders && !this.held && !this.recorded) this.draw(performance.now());
     else this.invalidate();

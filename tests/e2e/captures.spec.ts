@@ -53,6 +53,12 @@ for (const c of cases)
     await page.locator("canvas").first().focus();
     await page.keyboard.press("Control+Shift+z");
     expect(await exported(page)).toBe(painted);
+    // Labels as a file, which is one change too.
+    await drop(page, { name: c.name.replace(/\.bvh$/, ".csv"), content: before });
+    await expect.poll(() => exported(page), { timeout: 60_000 }).toBe(before);
+    await page.locator("canvas").first().focus();
+    await page.keyboard.press("Control+z");
+    expect(await exported(page)).toBe(painted);
 
     await page.locator("canvas").first().focus();
     await page.keyboard.press("Enter");

@@ -1,4 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
+import { createRandom } from "../../src/core/math/random.ts";
 import { seriousViolations } from "../support/accessibility.ts";
 import { finished, newestAsked, pageErrors } from "../support/editor-page.ts";
 
@@ -71,7 +72,9 @@ test("dragging the board with the mouse: footprints first, older requests droppe
   await page.screenshot({ path: "artefacts/board-dragged.png" });
 });
 
-test("the same with the keyboard, undo and redo", async ({ page }) => {
+test("the same with the keyboard; a hundred random edits, undone and done again, give the identical documents (seed 11)", async ({
+  page,
+}) => {
   await open(page);
   const start = (await tasks(page)).find((t) => t.id === "write")!;
   await page.locator('[data-marker="write"]').focus();
@@ -84,10 +87,43 @@ test("the same with the keyboard, undo and redo", async ({ page }) => {
   expect(moved.yaw).toBeCloseTo(Math.PI / 12, 5);
   const newest = await newestAsked(page);
   await finished(page, newest);
-  for (let k = 0; k < 9; k++) await page.keyboard.press("Control+z");
-  await expect.poll(write).toEqual(start);
-  for (let k = 0; k < 9; k++) await page.keyboard.press("Control+y");
-  await expect.poll(write).toEqual(moved);
+
+  // Only the documents matter here.
+  await page.evaluate(() => window.stepwright!.draw(false));
+  const { below } = createRandom(11);
+  const press = async (...keys: string[]) => {
+    for (const key of keys) await page.keyboard.press(key);
+  };
+  const document = () => page.evaluate(() => JSON.stringify(window.stepwright!.state().scene));
+  const held = ["", "Alt+", "Shift+"];
+  const acts: readonly (() => Promise<void>)[] = [
+    () => press(`${held[below(3)]}${["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"][below(4)]}`),
+    () => press(below(2) ? "r" : "Shift+R"),
+    () => press("Control+d"),
+    () => press("Delete"),
+    () => press("Control+c", "Control+v"),
+    () => press("t", `${1 + below(6)}`, `Shift+${below(2) ? "ArrowUp" : "ArrowLeft"}`, "Enter", "Enter"),
+    () => press("s", ["ArrowUp", "ArrowLeft", "ArrowRight"][below(3)], "Enter", "Enter", "Escape"),
+    () => press("]", ["q", "i", "m", "ArrowUp", "r"][below(5)]),
+  ];
+  const documents = [await document()];
+  for (let tries = 0; documents.length <= 100 && tries < 400; tries++) {
+    // Something is selected by then: what was put down last, or a task.
+    const task = page.locator('[data-kind="task"]').first();
+    if (below(3) === 0 && (await task.count()) > 0) await task.focus();
+    await acts[below(acts.length)]();
+    const now = await document();
+    if (now !== documents.at(-1)) documents.push(now);
+  }
+  expect(documents).toHaveLength(101);
+  for (const before of documents.slice(0, -1).reverse()) {
+    await press("Control+z");
+    expect(await document()).toBe(before);
+  }
+  for (const after of documents.slice(1)) {
+    await press("Control+y");
+    expect(await document()).toBe(after);
+  }
 });
 
 test("tasks are added, duplicated and deleted; a reload brings them back", async ({ page }) => {
@@ -116,8 +152,11 @@ test("tasks are added, duplicated and deleted; a reload brings them back", async
   expect((await tasks(page)).map((t) => t.id)).toEqual(["write", "lift", "place", "sit", "turn"]);
 });
 
-test("a planner that dies is replaced and nothing is lost", async ({ page }) => {
+test("in the dark: a planner that dies is replaced and nothing is lost", async ({ page }) => {
+  await page.emulateMedia({ colorScheme: "dark" });
   await open(page);
+  await page.screenshot({ path: "artefacts/editor-dark.png" });
+  expect(await page.evaluate(() => document.documentElement.dataset.theme)).toBe("dark");
   const scene = await tasks(page);
   await page.evaluate(() => window.stepwright?.restartPlanner());
   await expect(page.getByText("The planner restarted. Nothing was lost.")).toBeVisible();
@@ -136,11 +175,4 @@ test("no serious accessibility violation, with any tool at hand", async ({ page 
     await page.getByRole("button", { name: tool, exact: true }).click();
     expect(await seriousViolations(page), tool).toEqual([]);
   }
-});
-
-test("dark theme", async ({ page }) => {
-  await page.emulateMedia({ colorScheme: "dark" });
-  await open(page);
-  await page.screenshot({ path: "artefacts/editor-dark.png" });
-  expect(await page.evaluate(() => document.documentElement.dataset.theme)).toBe("dark");
 });

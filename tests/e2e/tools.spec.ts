@@ -1,6 +1,7 @@
 /** Editing as a whole in a real browser: footsteps, links, files of every kind, and everything by keyboard. */
 import { readFile } from "node:fs/promises";
 import { expect, test } from "@playwright/test";
+import { JOINT_NAMES } from "../../src/core/skeleton/joints.ts";
 import { seriousViolations } from "../support/accessibility.ts";
 import { answered, drop, openEditor } from "../support/editor-page.ts";
 
@@ -54,6 +55,27 @@ test("a footstep is selected and moved by keyboard, the plan answers; a link car
   await page.keyboard.press("Control+z");
   await page.waitForFunction(() => window.stepwright!.state().scene.edits.length === 0);
 });
+
+/** A GLB of ours as a VRM 1.0: its joints named as humanoid bones in the extension of that name. */
+function asVrm(glb: Buffer): Buffer {
+  const end = 20 + glb.readUInt32LE(12);
+  const json = JSON.parse(glb.subarray(20, end).toString()) as {
+    nodes: { name?: string }[];
+    [key: string]: unknown;
+  };
+  const humanBones = Object.fromEntries(
+    JOINT_NAMES.map((joint) => [joint, { node: json.nodes.findIndex((n) => n.name === joint) }]),
+  );
+  const meta = { name: "Me", authors: ["Nobody"], licenseUrl: "https://vrm.dev/licenses/1.0/" };
+  json.extensions = { VRMC_vrm: { specVersion: "1.0", meta, humanoid: { humanBones } } };
+  json.extensionsUsed = ["VRMC_vrm"];
+  const text = Buffer.from(JSON.stringify(json));
+  const padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, " ")]);
+  const head = Buffer.from(glb.subarray(0, 20));
+  head.writeUInt32LE(20 + padded.length + glb.length - end, 8);
+  head.writeUInt32LE(padded.length, 12);
+  return Buffer.concat([head, padded, glb.subarray(end)]);
+}
 
 test("exports are files that hold what they say; a scene and a character are dropped; damaged ones are named", async ({
   page,
@@ -112,6 +134,10 @@ test("exports are files that hold what they say; a scene and a character are dro
     timeout: 60_000,
   });
   await expect(page.getByText("joints found")).toBeVisible();
+  await drop(page, { name: "me.vrm", content: asVrm(glb.data) });
+  await page.waitForFunction(() => window.stepwright!.state().scene.character.model === "me.vrm", null, {
+    timeout: 60_000,
+  });
   await drop(page, { name: "broken.glb", content: "no" });
   await expect(page.getByText(/broken\.glb: no glTF document/).first()).toBeVisible();
   await drop(page, { name: "notes.docx", content: "no" });

@@ -1,20 +1,31 @@
 /** What is wrong to the eye on a page, found by measuring it: controls covered or off the page, text cut off, a page wider than its window. */
 import type { Page } from "@playwright/test";
 
+/** Letters of pictures that shrink with their box are not smaller than this, CSS pixels. */
+const SMALLEST = 7.5;
+
 /**
  * Sentences about a page as it stands, empty when nothing is wrong.
  *
  * A control counts as covered when none of five points of its visible part is its own: what is scrolled out of sight and what
  * floats in the three-dimensional view (handles may lie over each other there) is left out. Text counts as cut off when its box
- * hides what overflows and has no ellipsis, or when a picture ends in it.
+ * hides what overflows and has no ellipsis, or when a picture ends in it. Letters of pictures have a least size.
  */
 export function pageFaults(page: Page): Promise<string[]> {
-  return page.evaluate(() => {
+  return page.evaluate((SMALLEST) => {
     const out: string[] = [];
     const name = (e: Element): string =>
       `${e.tagName.toLowerCase()} "${(e.getAttribute("aria-label") ?? e.textContent ?? "").trim().replace(/\s+/g, " ").slice(0, 40)}"`;
     const wide = document.documentElement.scrollWidth - window.innerWidth;
     if (wide > 0) out.push(`the page is ${wide} px wider than its window`);
+    // A body that scrolls in a page that scrolls too leaves a blank end.
+    const { body, documentElement } = document;
+    const inner =
+      getComputedStyle(documentElement).overflowY !== "visible" &&
+      /auto|scroll/.test(getComputedStyle(body).overflowY) &&
+      body.scrollHeight > body.clientHeight + 1;
+    if (inner && documentElement.scrollHeight > window.innerHeight + 1)
+      out.push("the page scrolls inside itself");
 
     /** The part of an element that its scrolling and clipping ancestors leave to be seen. */
     const above = (e: Element): Element | null =>
@@ -90,6 +101,11 @@ export function pageFaults(page: Page): Promise<string[]> {
         const [box, room] = [e.getBoundingClientRect(), svg.getBoundingClientRect()];
         if (box.width > 1 && room.width > 1 && (box.left < room.left - 1.5 || box.right > room.right + 1.5))
           out.push(`text "${e.textContent?.trim()}" is cut off by its picture`);
+        const scale = e.getScreenCTM();
+        const size =
+          Number.parseFloat(getComputedStyle(e).fontSize) * Math.hypot(scale?.a ?? 1, scale?.b ?? 0);
+        if (box.width > 1 && size < SMALLEST)
+          out.push(`text "${e.textContent?.trim()}" is drawn ${size.toFixed(1)} px small`);
       }
       for (const e of root.querySelectorAll<HTMLElement>(
         "button, label, h1, h2, h3, p, span, td, th, figcaption, a",
@@ -103,5 +119,5 @@ export function pageFaults(page: Page): Promise<string[]> {
       }
     }
     return [...new Set(out)];
-  });
+  }, SMALLEST);
 }

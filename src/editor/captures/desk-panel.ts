@@ -109,6 +109,12 @@ function modelTab(s: CaptureSession): TemplateResult {
 
 function publicSection(s: CaptureSession): TemplateResult {
   return html`<section class="section"><header><h3>Public captures</h3><span>fetched at a click</span></header>
-    ${s.publicList.map((p) => html`<div class="public"><button class="outline" @click=${() => void s.fetchPublic(p)}>Fetch ${p.name}</button><p class="note">${p.licence}</p></div>`)}
+    ${s.publicList.map(
+      (p, i) =>
+        html`<div class="public"><button class="outline" @click=${() => void s.fetchPublic(p)}>Fetch ${p.name}</button>${
+          // Those of one home say whose they are once, after the last.
+          p.licence === s.publicList[i + 1]?.licence ? nothing : html`<p class="note">${p.licence}</p>`
+        }</div>`,
+    )}
   </section>`;
 }

@@ -77,7 +77,7 @@ const keys: readonly KeyBinding[] = [
       else e.scene.select([]);
     },
   },
-  { keys: [], shown: "arrows, Enter", label: "Tool at hand: a place on the floor, press", group: "Tools" },
+  { keys: [], shown: "arrows, Enter", label: "Move the tool's cross, press", group: "Tools" },
   { keys: ["Space"], label: "Play, pause", group: "Time", run: (e) => e.playback.toggle() },
   { keys: [","], label: "One frame back", group: "Time", run: (e) => e.playback.stepFrame(-1) },
   { keys: ["."], label: "One frame ahead", group: "Time", run: (e) => e.playback.stepFrame(1) },

@@ -6,6 +6,7 @@ import { taskLane } from "../lanes/tasks.ts";
 import { footprintLayer } from "../layers/footprints.ts";
 import { planTab } from "../panels/plan.ts";
 import { taskTab } from "../panels/task.ts";
+import { stands } from "../parts/timeline.ts";
 import { taskThings } from "../things/tasks.ts";
 import { taskTool } from "../tools/task.ts";
 import type { Feature } from "./feature.ts";
@@ -18,6 +19,9 @@ export const tasks: Feature = {
   lanes: [taskLane, feetLane],
   layers: [footprintLayer],
   exports: [...motionExports, resultExport],
+  start(e) {
+    e.store.subscribe(() => document.documentElement.classList.toggle("stands", stands(e)));
+  },
   keys: [
     {
       keys: ["K"],

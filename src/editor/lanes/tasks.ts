@@ -8,10 +8,12 @@ import type { Lane } from "./lane.ts";
 export const taskLane: Lane = {
   id: "tasks",
   order: 10,
-  // A scene of paths alone needs the room for their curves.
+  // A scene of paths or stones alone has no use for an empty lane.
   shown: (e) => {
     const { scene } = e.store.getState();
-    return scene.tasks.length > 0 || (scene.paths.length === 0 && !crowdAlone(scene));
+    return (
+      scene.tasks.length > 0 || (scene.paths.length === 0 && scene.stones.length === 0 && !crowdAlone(scene))
+    );
   },
   height: () => 26,
   draw(e, frame) {

@@ -30,6 +30,9 @@ function draw(e: Editor): TemplateResult {
   }`;
 }
 
+const fact = (what: string, value: string): TemplateResult =>
+  html`<div class="row"><span>${what}</span><span class="quiet">${value}</span></div>`;
+
 function running(s: CrowdSession): TemplateResult {
   const f = s.figures;
   return html`<section class="section crowd-run">
@@ -38,12 +41,14 @@ function running(s: CrowdSession): TemplateResult {
       <button class="button" @click=${() => s.setRunning(!s.running)} ?disabled=${!s.ready}>${s.running ? "Pause" : "Run"}</button>
       <button class="button" @click=${() => s.restart()}>From the start</button>
     </div>
-    <p class="note">${s.seconds.toFixed(1)} s</p>
-    ${
-      f && f.plans > 0
-        ? html`<p class="note">${f.plans} plans, ${(f.expanded / f.plans).toFixed(0)} nodes looked at and ${(f.generated / f.plans).toFixed(0)} made for each.</p>`
-        : nothing
-    }
+    <div class="list facts">
+      ${fact("Clock", `${s.seconds.toFixed(1)} s`)}
+      ${
+        f && f.plans > 0
+          ? html`${fact("Plans made", String(f.plans))}${fact("Nodes a plan looks at", (f.expanded / f.plans).toFixed(0))}${fact("Nodes a plan makes", (f.generated / f.plans).toFixed(0))}`
+          : nothing
+      }
+    </div>
     ${s.picked < 0 ? html`<p class="note">Click a walker to see what it plans.</p>` : nothing}
   </section>`;
 }
@@ -56,10 +61,10 @@ function stepping(
   set: (change: { speed?: number; gait?: CrowdGait }) => void,
 ): TemplateResult {
   return html`<div class="row">Speed ${numberField(e, "Speed", "", speed.toFixed(2), "m/s", (v) => set({ speed: Math.max(0.05, Math.min(5, v)) }))}</div>
-    <label class="row">Gait <select aria-label="Gait" .value=${gait} @change=${(ev: Event) => set({ gait: (ev.target as HTMLSelectElement).value as CrowdGait })}>${CROWD_GAITS.map(
+    <label class="row">Gait <span class="field"><select aria-label="Gait" .value=${gait} @change=${(ev: Event) => set({ gait: (ev.target as HTMLSelectElement).value as CrowdGait })}>${CROWD_GAITS.map(
       (g) =>
         html`<option value=${g} ?selected=${g === gait}>${g === "usual" ? "As usual" : g[0].toUpperCase() + g.slice(1)}</option>`,
-    )}</select></label>`;
+    )}</select></span></label>`;
 }
 
 function chosen(e: Editor): TemplateResult | typeof nothing {

@@ -44,7 +44,7 @@ function emptyState(e: Editor): TemplateResult {
   return html`<section class="section empty">
     <div class="prints">${sole("Walk", "left")}${sole("Walk")}${sole("TurnAndStep")}</div>
     <h2>No tasks in this scene</h2>
-    <p class="note">Take a task at the left and click the floor where it is to be done.</p>
+    <p class="note">Take the Task tool, then click the floor where it is to be done.</p>
     <div class="actions">
       <button class="button primary" @click=${() => e.tools.use("task")}>Add a task</button>
       <button class="button" @click=${() => void openSceneMenu(e)}>Open an example</button>

@@ -8,8 +8,11 @@ import { footSpacePlot, weightBar } from "../../plots/foot-space.ts";
 import { landingErrorFinding, landingErrorPlot } from "../../plots/landing-error.ts";
 import type { Editor } from "../editor.ts";
 import { stoneView } from "../layers/stones.ts";
+import { dial } from "../parts/dial.ts";
 import { numberField } from "../parts/number-field.ts";
+import { passed, shownNumber } from "../parts/schema-rows.ts";
 import { onlyId } from "../selection.ts";
+import { STONE_ICON } from "../tools/stones.ts";
 import type { PanelTab } from "./panel-tab.ts";
 
 const DEGREE = Math.PI / 180;
@@ -31,33 +34,33 @@ function stoneSection(e: Editor): TemplateResult {
   const stone = scene.stones.find((s) => s.id === id);
   if (!stone)
     return html`<section class="section"><header><h3>Stones</h3><span>${scene.stones.length}</span></header>
-      <p class="note">Press S and click on the floor: each click is the next stone. Feet alternate by themselves; Q chooses one.</p></section>`;
+      <p class="note">With the Stones tool (S), click on the floor: each click is the next stone. Feet alternate by themselves; Q chooses one.</p></section>`;
   const [x, y, z] = stone.position;
   const set = (change: Partial<Omit<SceneStone, "id">>) => e.edit((s) => changeStone(s, stone.id, change));
   const order = scene.order.filter((k) => scene.stones.some((s) => s.id === k));
   const step = plan?.blend ? plan.steps[plan.blend.first + order.indexOf(stone.id)] : undefined;
+  const own = stone.time !== null;
+  const first = plan?.blend ? (plan.steps[plan.blend.first]?.lift ?? 0) : 0;
   return html`<section class="section">
-    <header><h3>Stone ${order.indexOf(stone.id) + 1}</h3><span>${step ? `${step.land.toFixed(2)} s` : ""}</span></header>
-    <div class="fields">
-      ${numberField(e, "Left", "X", x.toFixed(2), "m", (v) => set({ position: [v, y, z] }))}
-      ${numberField(e, "Height", "Y", y.toFixed(2), "m", (v) => set({ position: [x, v, z] }))}
-      ${numberField(e, "Forward", "Z", z.toFixed(2), "m", (v) => set({ position: [x, y, v] }))}
-      ${numberField(e, "Facing", "R", String(Math.round(stone.yaw / DEGREE)), "°", (v) => set({ yaw: v * DEGREE }))}
-    </div>
-    <div class="row segments" role="group" aria-label="Foot">
+    <div class="subject"><span class="glyph">${STONE_ICON}</span><div><h2>Stone ${order.indexOf(stone.id) + 1}</h2><span class="note">${step ? `${step.foot === "left" ? "Left" : "Right"} foot, at ${step.land.toFixed(2)} s` : "No step reaches it yet"}</span></div></div>
+    <div class="row"><span>Position</span><div class="fields">
+      ${numberField(e, "Left", "x", shownNumber(x, "m"), "m", (v) => set({ position: [v, y, z] }))}
+      ${numberField(e, "Height", "y", shownNumber(y, "m"), "m", (v) => set({ position: [x, v, z] }))}
+      ${numberField(e, "Forward", "z", shownNumber(z, "m"), "m", (v) => set({ position: [x, y, v] }))}
+    </div></div>
+    <div class="row"><span>Facing</span><div class="fields turning">
+      ${dial(e, stone.yaw, (yaw) => set({ yaw }))}
+      ${numberField(e, "Facing", "", shownNumber(stone.yaw, "°"), "°", (v) => set({ yaw: v * DEGREE }))}
+    </div></div>
+    <div class="row"><span>Foot</span><div class="segments" role="group" aria-label="Foot">
       ${([null, "left", "right"] as const).map(
         (f) =>
           html`<button aria-pressed=${stone.foot === f} @click=${() => set({ foot: f })}>${f === null ? "Either" : f === "left" ? "Left" : "Right"}</button>`,
       )}
-    </div>
-    <label class="row"><input type="checkbox" .checked=${stone.time !== null} @change=${(ev: Event) => {
-      const first = plan?.blend ? (plan.steps[plan.blend.first]?.lift ?? 0) : 0;
-      set({
-        time: (ev.target as HTMLInputElement).checked ? Math.max(0, (step?.land ?? first) - first) : null,
-      });
-    }} /> At a time of its own
-      ${stone.time !== null ? numberField(e, "Seconds after the first step", "T", stone.time.toFixed(2), "s", (v) => set({ time: Math.max(0, v) })) : nothing}
-    </label>
+    </div></div>
+    <div class="switch-row"><span>At a time of its own</span><button class="switch" role="switch" aria-checked=${own} aria-label="At a time of its own" @click=${() => set({ time: own ? null : Math.max(0, (step?.land ?? first) - first) })}></button></div>
+    ${own ? html`<div class="row"><span title="Seconds after the first step">After start</span>${numberField(e, "Seconds after the first step", "", shownNumber(stone.time ?? 0, "s"), "s", (v) => set({ time: Math.max(0, v) }))}</div>` : nothing}
+    <div class="actions"><button class="plain" @click=${() => e.scene.duplicate()}>Duplicate</button><button class="plain danger" @click=${() => e.scene.remove()}>Delete</button></div>
   </section>`;
 }
 
@@ -102,7 +105,7 @@ function blendSection(e: Editor): TemplateResult | typeof nothing {
           <div>${unsafeSVG(weightBar(live))}</div>`
         : nothing
     }
-    <label class="row">Follow footsteps <input type="range" min="0" max="1" step="0.05" aria-label="From footsteps to root: lambda 4" .value=${String(e.plan.lambda4)} @input=${(ev: Event) => e.plan.follow(Number((ev.target as HTMLInputElement).value))} /> root</label>
+    <label class="row"><span>Follows</span><span class="between">footsteps <input type="range" min="0" max="1" step="0.05" aria-label="From footsteps to root: lambda 4" style=${passed(e.plan.lambda4, 0, 1)} .value=${String(e.plan.lambda4)} @input=${(ev: Event) => e.plan.follow(Number((ev.target as HTMLInputElement).value))} /> root</span></label>
     <p class="note">${
       e.plan.lambda4 === 0
         ? "The feet land on the stones. Towards root, the clips that fit the body's speed count for more; up to beta the stones are still met."
@@ -127,10 +130,11 @@ function errorSection(e: Editor): TemplateResult | typeof nothing {
         : html`<div>${unsafeSVG(landingErrorPlot(data))}</div>`
     }
     <p class="note">${landingErrorFinding(data)} <button class="plain" @click=${() => e.toggleTable("landing")}>${e.tables.has("landing") ? "Plot" : "Table"}</button></p>
-    <label class="row"><input type="checkbox" .checked=${stoneView.columns} @change=${(ev: Event) => {
-      stoneView.columns = (ev.target as HTMLInputElement).checked;
+    <div class="switch-row"><span>Columns on the floor, ten times as tall</span><button class="switch" role="switch" aria-checked=${stoneView.columns} aria-label="Columns on the floor, ten times as tall" @click=${() => {
+      stoneView.columns = !stoneView.columns;
       e.layers.update("look");
-    }} /> Columns on the floor, ten times as tall</label>
+      e.redraw();
+    }}></button></div>
   </section>`;
 }
 
@@ -145,16 +149,17 @@ function groundSection(e: Editor): TemplateResult {
   const { terrain } = e.store.getState().scene;
   const now = terrain.kind === "heightfield" ? (terrain.cells[0] === 1 ? "stairs" : "hills") : terrain.kind;
   return html`<section class="section">
-    <header><h3>Ground</h3><span>${terrain.kind === "heightfield" ? `${terrain.cells[0]} x ${terrain.cells[1]} cells` : ""}</span></header>
-    <div class="row segments" role="group" aria-label="Ground">
+    <header><h3>Ground</h3><span>${terrain.kind === "heightfield" ? `${terrain.cells[0]} × ${terrain.cells[1]} cells` : ""}</span></header>
+    <div class="segments" role="group" aria-label="Ground">
       ${GROUNDS.map((g) => html`<button aria-pressed=${now === g.id} @click=${() => e.edit((s) => setTerrain(s, g.make()))}>${g.label}</button>`)}
     </div>
     ${
       terrain.kind === "slope"
-        ? html`<div class="fields">
-            ${numberField(e, "Slope", "A", (terrain.angle / DEGREE).toFixed(0), "°", (v) => e.edit((s) => setTerrain(s, { ...terrain, angle: Math.max(-25, Math.min(25, v)) * DEGREE })))}
-            ${numberField(e, "Uphill towards", "R", (terrain.yaw / DEGREE).toFixed(0), "°", (v) => e.edit((s) => setTerrain(s, { ...terrain, yaw: v * DEGREE })))}
-          </div>`
+        ? html`<div class="row"><span>Slope</span>${numberField(e, "Slope", "", shownNumber(terrain.angle, "°"), "°", (v) => e.edit((s) => setTerrain(s, { ...terrain, angle: Math.max(-25, Math.min(25, v)) * DEGREE })))}</div>
+          <div class="row"><span>Uphill</span><div class="fields turning">
+            ${dial(e, terrain.yaw, (yaw) => e.edit((s) => setTerrain(s, { ...terrain, yaw })))}
+            ${numberField(e, "Uphill towards", "", shownNumber(terrain.yaw, "°"), "°", (v) => e.edit((s) => setTerrain(s, { ...terrain, yaw: v * DEGREE })))}
+          </div></div>`
         : nothing
     }
   </section>`;

@@ -31,8 +31,9 @@ function qualityChip(e: Editor): TemplateResult | typeof nothing {
     const { agents, left } = crowdSession(e);
     return html`<div class="chip quality" title="Walkers of the crowd, and those who have not arrived."><span>Walkers <b>${agents}</b></span><span>On their way <b>${left}</b></span></div>`;
   }
-  return q
-    ? html`<div class="chip quality" title="Skate: how far a planted foot slides. Reach: how far hand, box or seat is from its target. Balance: time with the zero-moment point within 5 cm of the feet."><span>Skate <b>${mm(q.skate)}</b></span>${q.reach === null ? nothing : html`<span>Reach <b>${mm(q.reach)}</b></span>`}<span class="wide">Balance <b>${q.balanceWithin50mm === null ? "–" : `${Math.round(100 * q.balanceWithin50mm)} %`}</b></span><span class="narrow">${s.plan?.steps.length ?? 0} footsteps</span></div>`
+  // A character that only stands has nothing to be judged by.
+  return q && s.plan && s.plan.steps.length > 0
+    ? html`<div class="chip quality" title="Skate: how far a planted foot slides. Reach: how far hand, box or seat is from its target. Balance: time with the zero-moment point within 5 cm of the feet."><span>Skate <b>${mm(q.skate)}</b></span>${q.reach === null ? nothing : html`<span>Reach <b>${mm(q.reach)}</b></span>`}<span class="wide">Balance <b>${q.balanceWithin50mm === null ? "–" : `${Math.round(100 * q.balanceWithin50mm)} %`}</b></span><span class="narrow">${s.plan.steps.length} footsteps</span></div>`
     : nothing;
 }
 

@@ -3,6 +3,8 @@ import { html, nothing, type TemplateResult } from "lit";
 import { crowdAlone } from "../crowd/crowd-session.ts";
 import type { Editor } from "../editor.ts";
 
+const took = (ms: number): string => (ms < 1000 ? `${ms.toFixed(1)} ms` : `${(ms / 1000).toFixed(2)} s`);
+
 export function panel(e: Editor): TemplateResult {
   const s = e.store.getState();
   const tabs = e.registry.tabs.filter((t) => t.shown(e));
@@ -13,6 +15,6 @@ export function panel(e: Editor): TemplateResult {
       ${tabs.map((t) => html`<button role="tab" aria-selected=${t === tab} @click=${() => e.set({ tab: t.id })}>${t.label(e)}</button>`)}
     </div>
     <div class="body" role="tabpanel" tabindex="-1" aria-label=${tab.label(e)}>${tab.draw(e)}</div>
-    ${alone ? nothing : html`<footer><span>${s.plan ? `Planned in ${s.planMs.toFixed(1)} ms` : (s.status ?? "")}</span><span>${s.plan ? `${s.plan.steps.length} footsteps` : ""}</span></footer>`}
+    ${alone ? nothing : html`<footer><span>${s.plan ? `Planned in ${took(s.planMs)}` : (s.status ?? "")}</span><span>${s.plan ? `${s.plan.steps.length} footsteps` : ""}</span></footer>`}
   `;
 }

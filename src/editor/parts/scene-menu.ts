@@ -7,6 +7,7 @@ import { dropVersion, keepVersion, listVersions, type Version } from "../session
 import { menuRows } from "./menu-rows.ts";
 import { thumbnail } from "./thumbnail.ts";
 
+/** Read when the menu opens, let go when it closes: forty scenes would stay otherwise. */
 let versions: Version[] = [];
 let pictures: { name: string; scene: Scene }[] | null = null;
 
@@ -14,7 +15,14 @@ let pictures: { name: string; scene: Scene }[] | null = null;
 export async function openSceneMenu(e: Editor): Promise<void> {
   e.setMenu("scenes");
   if (e.store.getState().menu !== "scenes") return;
-  versions = await listVersions();
+  const forget = e.store.subscribe(({ menu }) => {
+    if (menu === "scenes") return;
+    versions = [];
+    forget();
+  });
+  const kept = await listVersions();
+  if (e.store.getState().menu !== "scenes") return;
+  versions = kept;
   e.redraw();
 }
 

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { type Field, fieldsOf, type ThingName } from "../../core/scene/fields.ts";
 import type { Editor } from "../editor.ts";
+import { dial } from "./dial.ts";
 import { numberField } from "./number-field.ts";
 
 type Value = number | string | boolean | null | readonly number[];
@@ -69,7 +70,11 @@ function control(e: Editor, f: Field, value: Value, rows: RowsOf): TemplateResul
       ),
     )}</div>`;
   }
-  return html`${numberField(e, f.label, "", value === null ? "" : shownNumber(Number(value), f.unit), f.unit, (v) => set(fromShown(v, f.unit)))}`;
+  const number = html`${numberField(e, f.label, "", value === null ? "" : shownNumber(Number(value), f.unit), f.unit, (v) => set(fromShown(v, f.unit)))}`;
+  // Angles of the document are facings.
+  return f.unit === "°" && value !== null
+    ? html`<div class="fields turning">${dial(e, Number(value), set)}${number}</div>`
+    : number;
 }
 
 function segments(
@@ -93,9 +98,13 @@ function menu(f: Field, value: Value, set: (v: Value) => void): TemplateResult {
   return html`<span class="field"><select aria-label=${f.label} @change=${chosen}>${f.options.map((o) => html`<option ?selected=${o.value === value}>${o.word}</option>`)}</select></span>`;
 }
 
+/** The part of a slider's line that is ink. */
+export const passed = (value: number, least: number, most: number): string =>
+  `--passed: ${((100 * (value - least)) / (most - least)).toFixed(1)}%`;
+
 function slider(f: Field, value: number, rows: RowsOf): TemplateResult {
   const to = (ev: Event, done: boolean): void =>
     rows.set(f.key, Number((ev.target as HTMLInputElement).value), done);
   const [least, most] = f.slider as readonly [number, number];
-  return html`<label class="row">${f.label} <input type="range" min=${least} max=${most} step="0.01" .value=${String(value)} @input=${(ev: Event) => to(ev, false)} @change=${(ev: Event) => to(ev, true)} /></label>`;
+  return html`<label class="row">${f.label} <input type="range" min=${least} max=${most} step="0.01" style=${passed(value, least, most)} .value=${String(value)} @input=${(ev: Event) => to(ev, false)} @change=${(ev: Event) => to(ev, true)} /></label>`;
 }

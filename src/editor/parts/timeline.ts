@@ -15,6 +15,9 @@ const SPEEDS: [number, string][] = [
   [2, "2×"],
 ];
 
+export const speeds = (e: Editor): TemplateResult =>
+  html`<div class="segments" role="group" aria-label="Speed">${SPEEDS.map(([v, label]) => html`<button aria-pressed=${e.store.getState().speed === v} @click=${() => e.playback.setSpeed(v)}>${label}</button>`)}</div>`;
+
 const clock = (t: number): string => t.toFixed(2).padStart(5, "0");
 
 /** A crowd has a clock of its own: it runs ahead, and begins again. */
@@ -22,7 +25,7 @@ function crowdTransport(e: Editor): TemplateResult {
   const crowd = crowdSession(e);
   return html`<div class="transport">
     <button class="play" aria-label=${crowd.running ? "Pause" : "Play"} title="Space" ?disabled=${!crowd.ready} @click=${() => e.playback.toggle()}>${crowd.running ? ICONS.pause : ICONS.play}</button>
-    <button class="icon" aria-label="From the start" title="From the start" @click=${() => crowd.restart()}>${ICONS.back}</button>
+    <button class="icon" aria-label="From the start" title="From the start" @click=${() => crowd.restart()}>${ICONS.first}</button>
     <span class="clock">${clock(crowd.seconds)} <span>s</span></span>
     <span class="space"></span>
     <span class="quiet">${e.store.getState().snap ? "Snap 5 cm" : ""}</span>
@@ -40,20 +43,27 @@ export function timeline(e: Editor): TemplateResult {
   return html`
     <div class="transport">
       <button class="play" aria-label=${s.playing ? "Pause" : "Play"} title="Space" @click=${() => e.playback.toggle()}>${s.playing ? ICONS.pause : ICONS.play}</button>
-      <button class="icon" aria-label="Frame back" @click=${() => e.playback.stepFrame(-1)}>${ICONS.back}</button>
-      <button class="icon" aria-label="Frame ahead" @click=${() => e.playback.stepFrame(1)}>${ICONS.ahead}</button>
-      <button class="icon" aria-label="Loop" aria-pressed=${s.loop} @click=${() => e.playback.toggleLoop()}>${ICONS.loop}</button>
+      <button class="icon" aria-label="Frame back" title="Frame back (,)" @click=${() => e.playback.stepFrame(-1)}>${ICONS.back}</button>
+      <button class="icon" aria-label="Frame ahead" title="Frame ahead (.)" @click=${() => e.playback.stepFrame(1)}>${ICONS.ahead}</button>
+      <button class="icon" aria-label="Loop" title="Loop (O)" aria-pressed=${s.loop} @click=${() => e.playback.toggleLoop()}>${ICONS.loop}</button>
       <span class="clock">${clock(s.time)} <span>/ ${clock(e.plan.duration)} s</span></span>
-      <div class="segments" role="group" aria-label="Speed">${SPEEDS.map(([v, label]) => html`<button aria-pressed=${s.speed === v} @click=${() => e.playback.setSpeed(v)}>${label}</button>`)}</div>
+      ${speeds(e)}
       <span class="space"></span>
       <span class="quiet">${s.snap ? "Snap 5 cm" : ""}</span>
       ${viewButtons(e)}
     </div>
-    <div class="tracks" @pointerdown=${(ev: PointerEvent) => down(e, ev)} @pointermove=${(ev: PointerEvent) => hover(e, ev)} @pointerleave=${() => leave(e)} @keydown=${(ev: KeyboardEvent) => key(e, ev)}>
+    ${
+      stands(e)
+        ? html`<div class="tracks idle"><p class="note">Footsteps stand here once the scene has a task, a path or stones.</p></div>`
+        : html`<div class="tracks" @pointerdown=${(ev: PointerEvent) => down(e, ev)} @pointermove=${(ev: PointerEvent) => hover(e, ev)} @pointerleave=${() => leave(e)} @keydown=${(ev: KeyboardEvent) => key(e, ev)}>
       ${unsafeSVG(tracks(e))}
-    </div>
+    </div>`
+    }
   `;
 }
+
+/** Whether the plan has no footstep: the character only stands. */
+export const stands = (e: Editor): boolean => e.store.getState().plan?.steps.length === 0;
 
 interface Placed {
   lane: Lane;

@@ -8,6 +8,7 @@ import { exportSwitches } from "./export-switches.ts";
 import { openHelp } from "./help-sheet.ts";
 import { menuRows } from "./menu-rows.ts";
 import { legendRows } from "./overlay.ts";
+import { speeds } from "./timeline.ts";
 
 /** Tools that narrow windows keep under "More": labels, and those that stand between the tens. */
 const second = (t: Tool): boolean => t.order >= 50 || t.order % 10 !== 0;
@@ -18,7 +19,7 @@ export function toolRail(e: Editor): TemplateResult {
   return html`<div class="rail" role="toolbar" aria-orientation="vertical" aria-label="Tools">
     ${e.tools.all.map(
       (t) =>
-        html`<button aria-label=${t.label} data-tip="${t.label}  ${t.key}" aria-pressed=${t === current} class=${second(t) ? "wide" : ""} @click=${() => e.tools.use(t === current ? "select" : t.id)}>${t.icon}<span class="word">${t.label}</span></button>`,
+        html`<button aria-label=${t.label} data-tip=${t === current && t.choices ? nothing : `${t.label}  ${t.key}`} aria-pressed=${t === current} class=${second(t) ? "wide" : ""} @click=${() => e.tools.use(t === current ? "select" : t.id)}>${t.icon}<span class="word">${t.label}</span></button>`,
     )}
     <button class="narrow" aria-label="More" aria-haspopup="dialog" aria-expanded=${s.menu === "more"} @click=${() => e.setMenu("more")}>${ICONS.more}<span class="word">More</span></button>
     <hr />
@@ -46,6 +47,10 @@ function more(e: Editor): TemplateResult {
     <div class="legend-rows">${legendRows(e)}</div>
     <hr />
     ${e.tools.all.filter(second).map((t) => act(t.label, () => e.tools.use(t.id)))}
+    ${act("Fit the view", () => e.frameScene())}
+    ${act(s.loop ? "Looping is on: turn it off" : "Play in a loop", () => e.playback.toggleLoop())}
+    <div class="export-options"><div class="row"><span>Speed</span>${speeds(e)}</div></div>
+    <hr />
     ${act(s.snap ? "Snapping is on: turn it off" : "Snap to 5 cm and 15°", () => e.set({ snap: !s.snap }))}
     ${act(s.theme === "light" ? "Dark theme" : "Light theme", () => e.toggleTheme())}
     ${act("Keys and help", () => openHelp(e))}

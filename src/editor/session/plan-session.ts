@@ -13,6 +13,8 @@ export interface LogEntry {
   at: number;
 }
 
+/** Entries of the log that are kept at most; the older half goes then. */
+const MOST_NOTED = 2000;
 /** Milliseconds that the first picture waits for the planner. */
 const MOST_PATIENCE = 1000;
 
@@ -90,7 +92,7 @@ export class PlanSession {
 
   private note(what: LogEntry["what"], id: number): void {
     this.log.push({ what, id, at: performance.now() });
-    if (this.log.length > 5000) this.log.splice(0, 2500);
+    if (this.log.length > MOST_NOTED) this.log.splice(0, MOST_NOTED / 2);
   }
 
   private hear(m: PlannerResponse): void {

@@ -14,6 +14,8 @@ const same = (a: Scene, b: Scene): boolean => JSON.stringify(a) === JSON.stringi
 
 export class SceneSession {
   private readonly history: History;
+  /** What was called how where another scene was opened, by the scene that was opened. */
+  private readonly names = new WeakMap<Scene, { before: string; after: string }>();
   private gesturing = false;
   private saveTimer = 0;
 
@@ -55,10 +57,12 @@ export class SceneSession {
 
   private changed(): void {
     const { scene } = this.history;
-    const { selection } = this.e.store.getState();
+    const { selection, toast } = this.e.store.getState();
     const kept = selection.filter((r) => this.exists(scene, r));
     this.e.set({
       scene,
+      // Its Undo would undo something else from now on.
+      toast: toast?.undo ? null : toast,
       selection: kept.length === selection.length ? selection : kept,
       canUndo: this.history.canUndo,
       canRedo: this.history.canRedo,
@@ -105,18 +109,34 @@ export class SceneSession {
   }
 
   undo(): void {
-    if (this.history.undo()) this.changed();
+    const opened = this.names.get(this.history.scene);
+    if (!this.history.undo()) return;
+    // The scene that comes back is called what it was called.
+    if (opened) {
+      opened.after = this.e.store.getState().name;
+      this.e.set({ name: opened.before });
+    }
+    this.changed();
   }
 
   redo(): void {
-    if (this.history.redo()) this.changed();
+    if (!this.history.redo()) return;
+    const opened = this.names.get(this.history.scene);
+    if (opened) {
+      opened.before = this.e.store.getState().name;
+      this.e.set({ name: opened.after });
+    }
+    this.changed();
   }
 
   /** Another scene, as one entry of the history: undo brings the one before back. `name` is what it is called. */
-  replace(scene: Scene, name: string): void {
+  replace(opened: Scene, name: string): void {
     const { name: before } = this.e.store.getState();
     // Undo brings it back while the page is open; a version does after that.
     if (this.history.canUndo) void keepVersion(`${before}, before ${name}`, this.history.scene, Date.now());
+    // A document of its own: an example may be opened twice.
+    const scene = { ...opened };
+    this.names.set(scene, { before, after: name });
     this.history.apply(scene);
     this.e.set({ selection: [], tab: "scene", menu: null, time: 0, name });
     this.e.plan.startOver();

@@ -22,6 +22,7 @@ export const stonesTool: Tool = {
   key: "S",
   order: 30,
   cursor: "crosshair",
+  enter: (e) => e.set({ tab: "stones" }),
   down(e, p) {
     const at = onGround(e, p);
     if (!at) return null;

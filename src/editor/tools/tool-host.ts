@@ -46,6 +46,8 @@ export class ToolHost {
     const named = (c: string | null) => tool.choices?.find((x) => x.id === c)?.id;
     this.e.set({ tool: id, choice: named(choice) ?? named(kept) ?? tool.choices?.[0]?.id ?? null });
     this.canvas.style.cursor = tool.cursor ?? "";
+    // On narrow windows the whole sheet would lie over the floor that the tool is for.
+    if (tool.cursor && this.e.store.getState().sheet === "full") this.e.set({ sheet: "half" });
     if (before !== tool) tool.enter?.(this.e);
   }
 

@@ -5,6 +5,7 @@ import { cutLoop, type LoopSequence, loopRow } from "../../core/styles/loop.ts";
 import { EFFECTORS, ROW } from "../../core/styles/rows.ts";
 import { el, svgEl } from "../../embed/dom.ts";
 import type { Style } from "../../studio/styles.ts";
+import { chartWidth } from "../kit/chart.ts";
 import { choice, fillValues, type MountFigure, slider } from "../kit/figure.ts";
 import { fixed } from "../kit/numbers.ts";
 import { capture } from "./captures.ts";
@@ -12,9 +13,11 @@ import { capture } from "./captures.ts";
 const STYLES: readonly Style[] = ["walking", "jogging", "balancing", "energetic", "tired"];
 const WORDS = ["Walking", "Jogging", "Balancing", "Energetic", "Tired"];
 const NAMES = ["Head", "Left hand", "Right hand", "Left foot", "Right foot"];
-const WIDTH = 900;
+/** Of the drawing, where there is room for it. */
+const WIDE = 900;
 
 export const mount: MountFigure = ({ box, parameters }) => {
+  const width = chartWidth(box, WIDE);
   const from = choice(parameters, "from", 0, "From", WORDS);
   const to = choice(parameters, "to", 2, "To", WORDS);
   const phase = slider(
@@ -24,7 +27,7 @@ export const mount: MountFigure = ({ box, parameters }) => {
     "%",
     0,
   );
-  const svg = svgEl("svg", { viewBox: `0 0 ${WIDTH} 190`, class: "chart", role: "img" });
+  const svg = svgEl("svg", { viewBox: `0 0 ${width} 190`, class: "chart", role: "img" });
   const finding = el("p", { class: "finding", role: "status" });
   box.append(
     el(
@@ -60,7 +63,8 @@ export const mount: MountFigure = ({ box, parameters }) => {
       const e = EFFECTORS + 3 * i;
       return Math.hypot(rowA[e] - rowB[e], rowA[e + 1] - rowB[e + 1], rowA[e + 2] - rowB[e + 2]);
     });
-    const scale = 560 / Math.max(0.3, ...gaps);
+    // Beside the longest bar its numbers have room.
+    const scale = (width - (width < WIDE ? 262 : 340)) / Math.max(0.3, ...gaps);
     svg.replaceChildren(
       ...NAMES.flatMap((name, i) => {
         const y = 16 + 34 * i;

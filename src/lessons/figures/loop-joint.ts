@@ -5,7 +5,7 @@ import { J, JOINT_COUNT } from "../../core/skeleton/joints.ts";
 import { cutLoop } from "../../core/styles/loop.ts";
 import { el } from "../../embed/dom.ts";
 import type { Style } from "../../studio/styles.ts";
-import { Chart } from "../kit/chart.ts";
+import { Chart, chartWidth } from "../kit/chart.ts";
 import { choice, fillValues, type MountFigure, slider } from "../kit/figure.ts";
 import { fixed } from "../kit/numbers.ts";
 import { wornCapture } from "./captures.ts";
@@ -13,7 +13,8 @@ import { wornCapture } from "./captures.ts";
 const STYLES: readonly Style[] = ["walking", "energetic", "distressed"];
 const JOINTS = [J.leftHand, J.head, J.rightFoot] as const;
 const JOINT_WORDS = ["Left hand", "Head", "Right foot"];
-const WIDTH = 900;
+/** Of the drawing, where there is room for it. */
+const WIDE = 900;
 /** Frames shown before and after the joint. */
 const BEFORE = 20;
 const AFTER = 50;
@@ -22,6 +23,7 @@ const AFTER = 50;
 const weight = (i: number, n: number): number => 1 - (Math.cos(((i + 0.5) * Math.PI) / n) / 2 + 0.5);
 
 export const mount: MountFigure = ({ box, parameters }) => {
+  const width = chartWidth(box, WIDE);
   const style = choice(parameters, "loopstyle", 0, "Capture", ["Walking", "Energetic", "Distressed"]);
   const joint = choice(parameters, "joint", 0, "Height of", JOINT_WORDS);
   const length = slider(
@@ -32,24 +34,24 @@ export const mount: MountFigure = ({ box, parameters }) => {
     0,
   );
   const chart = new Chart({
-    width: WIDTH,
+    width,
     height: 240,
     x: [-BEFORE, AFTER],
     y: [0, 1],
     xName: "Frames from the loop's start",
     yName: "Height, cm",
     label: "Height of a joint across the joint of the loop",
-    right: 110,
+    right: width < WIDE ? 12 : 110,
   });
   const weights = new Chart({
-    width: WIDTH,
+    width,
     height: 120,
     x: [-BEFORE, AFTER],
     y: [0, 1],
     xName: "",
     yName: "Weight w of the loop's own start",
     label: "Blend weight over the frames",
-    right: 110,
+    right: width < WIDE ? 12 : 110,
   });
   const finding = el("p", { class: "finding", role: "status" });
   box.append(

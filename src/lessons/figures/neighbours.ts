@@ -6,7 +6,7 @@ import { createNearestSearch, findNearest } from "../../core/contacts/nearest.ts
 import { askOracle, labelsOf, type Oracle, PAPER_ORACLE, trainOracle } from "../../core/contacts/oracle.ts";
 import { el, svgEl } from "../../embed/dom.ts";
 import type { Style } from "../../studio/styles.ts";
-import { Chart } from "../kit/chart.ts";
+import { Chart, chartWidth } from "../kit/chart.ts";
 import { choice, fillValues, type MountFigure, slider } from "../kit/figure.ts";
 import { fixed } from "../kit/numbers.ts";
 import { wornCapture } from "./captures.ts";
@@ -19,7 +19,8 @@ const EVERY = 3;
 const FROM = 1.5;
 const SHOWN = 4;
 const LEFT_TOE = 1;
-const WIDTH = 900;
+/** Of the drawing, where there is room for it. */
+const WIDE = 600;
 /** Toe's height in a row of the paper's features: 21 x (knee, ankle, toe) of two legs, x y z. */
 const TOE_HEIGHT = 7;
 const ROW = 18;
@@ -31,6 +32,7 @@ interface Asked {
 }
 
 export const mount: MountFigure = ({ box, parameters }) => {
+  const width = chartWidth(box, WIDE);
   const asked = choice(parameters, "asked", 0, "Ask about", ["Tired", "Walking", "Jogging"]);
   const k = slider(parameters, { name: "k", value: 10, min: 1, max: 40, step: 1 }, "Neighbours, k", "", 0);
   const on = slider(
@@ -50,8 +52,8 @@ export const mount: MountFigure = ({ box, parameters }) => {
     "s",
   );
   const windows = new Chart({
-    width: 420,
-    height: 250,
+    width: chartWidth(box, 300),
+    height: 200,
     x: [-10, 10],
     y: [-1.15, -0.6],
     xName: "Frames from the one asked",
@@ -59,7 +61,7 @@ export const mount: MountFigure = ({ box, parameters }) => {
     label: "The window asked about over its nearest neighbours",
   });
   const share = new Chart({
-    width: WIDTH,
+    width,
     height: 170,
     x: [FROM, FROM + SHOWN],
     y: [0, 1],
@@ -67,7 +69,7 @@ export const mount: MountFigure = ({ box, parameters }) => {
     yName: "Share of votes for: left toe is down",
     label: "Share of votes over time",
   });
-  const rows = svgEl("svg", { viewBox: `0 0 ${WIDTH} 62`, class: "chart", role: "img" });
+  const rows = svgEl("svg", { viewBox: `0 0 ${width} 62`, class: "chart", role: "img" });
   const votes = el("p", { role: "status" });
   const finding = el("p", { class: "finding", role: "status" });
   box.append(
@@ -141,7 +143,7 @@ export const mount: MountFigure = ({ box, parameters }) => {
       contactRows(
         [
           { name: "true", contacts, truth: null },
-          { name: "oracle", contacts: found, truth: contacts },
+          { name: "found", contacts: found, truth: contacts },
         ],
         LEFT_TOE,
         from,

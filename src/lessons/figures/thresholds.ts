@@ -3,14 +3,15 @@
 import { detectContacts, solePoints } from "../../core/contacts/baselines.ts";
 import { el, svgEl } from "../../embed/dom.ts";
 import type { Style } from "../../studio/styles.ts";
-import { Chart } from "../kit/chart.ts";
+import { Chart, chartWidth } from "../kit/chart.ts";
 import { choice, fillValues, type MountFigure, slider } from "../kit/figure.ts";
 import { fixed } from "../kit/numbers.ts";
 import { wornCapture } from "./captures.ts";
 import { contactRows, mistakes } from "./contact-rows.ts";
 
 const STYLES: readonly Style[] = ["walking", "tired", "energetic", "jogging"];
-const WIDTH = 900;
+/** Of the drawing, where there is room for it. */
+const WIDE = 900;
 const HEIGHT = 210;
 /** Seconds shown, from where the walk is under way. */
 const FROM = 1.5;
@@ -18,6 +19,7 @@ const SHOWN = 4;
 const LEFT_TOE = 1;
 
 export const mount: MountFigure = ({ box, parameters }) => {
+  const width = chartWidth(box, WIDE);
   const style = choice(parameters, "style", 0, "Capture", ["Walking", "Tired", "Energetic", "Jogging"]);
   const height = slider(
     parameters,
@@ -34,7 +36,7 @@ export const mount: MountFigure = ({ box, parameters }) => {
     0,
   );
   const chart = new Chart({
-    width: WIDTH,
+    width,
     height: HEIGHT,
     x: [FROM, FROM + SHOWN],
     y: [0, 16],
@@ -43,7 +45,7 @@ export const mount: MountFigure = ({ box, parameters }) => {
     label: "Height of the left toe over time with the height limit",
     right: 12,
   });
-  const rows = svgEl("svg", { viewBox: `0 0 ${WIDTH} 62`, class: "chart", role: "img" });
+  const rows = svgEl("svg", { viewBox: `0 0 ${width} 62`, class: "chart", role: "img" });
   const finding = el("p", { class: "finding", role: "status" });
   box.append(
     el("div", { class: "pane padded" }, chart.svg, rows),

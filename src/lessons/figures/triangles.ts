@@ -3,10 +3,12 @@
  * weights of its corners, and what happens outside of the hull and when the root has a say.
  */
 
+import { extent } from "d3-array";
 import { createFootSpace } from "../../core/blending/foot-space.ts";
 import { chooseMix, createChoice, createMix } from "../../core/blending/mix.ts";
 import { createRootSpace, rootWeights } from "../../core/blending/polar-bands.ts";
 import { el, svgEl } from "../../embed/dom.ts";
+import { chartWidth } from "../kit/chart.ts";
 import { choice as choiceOf, fillValues, type MountFigure, pointOut, slider } from "../kit/figure.ts";
 import { Floor } from "../kit/floor.ts";
 import { fixed } from "../kit/numbers.ts";
@@ -15,6 +17,33 @@ import { askLandingPoints } from "../landing-points.ts";
 /** A landing point this near to a corner may take its place, metres [Barycentric Algorithm 1]. */
 const EPSILON = 0.15;
 
+/** Metres left about the points, and units between two names. */
+const AROUND = 0.3;
+const APART = 18;
+
+interface Named {
+  at: readonly [number, number];
+  word: string;
+}
+
+/** Names beside the points, where nothing is drawn: each at its place's height or as near as the others leave, with a line to it. */
+function names(floor: Floor, points: ArrayLike<number>, list: readonly Named[]): SVGElement[] {
+  let side = 0;
+  for (let i = 0; i < points.length; i += 2) side = Math.max(side, floor.px(points[i]));
+  const rows = list
+    .map(({ at: [x, z], word }) => ({ word, x: floor.px(x), y: floor.py(z), row: floor.py(z) }))
+    .sort((a, b) => a.y - b.y);
+  for (let k = 1; k < rows.length; k++) rows[k].row = Math.max(rows[k].row, rows[k - 1].row + APART);
+  const drift = rows.reduce((sum, r) => sum + r.row - r.y, 0) / Math.max(1, rows.length);
+  return rows.flatMap(({ word, x, y, row }) => {
+    const at = row - drift;
+    return [
+      svgEl("path", { class: "quiet", d: `M${x} ${y}L${side + 20} ${at}`, fill: "none", "stroke-width": 1 }),
+      svgEl("text", { x: side + 25, y: at + 4, class: "strong plate" }, word),
+    ];
+  });
+}
+
 export const mount: MountFigure = async ({ figure, box, parameters }) => {
   const withRoot = figure.dataset.root === "true";
   const key = withRoot ? "r" : "";
@@ -22,9 +51,14 @@ export const mount: MountFigure = async ({ figure, box, parameters }) => {
   box.append(wait);
   const data = await askLandingPoints();
   wait.remove();
+  // As tall as the points of both feet; what they leave at the sides is for names.
+  const [low = 0, high = 1] = extent(data.feet.flatMap((p) => [...p].filter((_, i) => i % 2 === 1)));
+  const units = chartWidth(box, 680);
+  const aspect = units < 680 ? 1.5 : 0.95;
   const floor = new Floor(
-    { x: 0, z: 0.5, width: 2.3, aspect: 1.25 },
+    { x: 0, z: (low + high) / 2, width: (high - low + AROUND) / aspect, aspect },
     "Landing points of the clips, seen from the root",
+    units,
   );
   const foot = choiceOf(parameters, `${key}foot`, 0, "Foot", ["Left", "Right"]);
   const controls = el("div", { class: "controls" }, foot);
@@ -36,14 +70,7 @@ export const mount: MountFigure = async ({ figure, box, parameters }) => {
     );
   const finding = el("p", { class: "finding", role: "status" });
   floor.handle(parameters, `${key}stone`, [0.12, 0.55], "The stone");
-  box.append(
-    el(
-      "div",
-      { class: "panes" },
-      el("div", { class: "pane" }, floor.svg),
-      el("div", { class: "stacked" }, controls, finding),
-    ),
-  );
+  box.append(el("div", { class: "pane" }, floor.svg), controls, finding);
   const spaces = data.feet.map(createFootSpace);
   const roots = createRootSpace(data.velocities);
   const rootW = new Float64Array(data.velocities.length);
@@ -111,18 +138,10 @@ export const mount: MountFigure = async ({ figure, box, parameters }) => {
       }
       dots.push(dot);
     }
-    const words = corners.map((c, k) =>
-      svgEl(
-        "text",
-        {
-          x: floor.px(p[2 * c]),
-          y: floor.py(p[2 * c + 1]) - 13,
-          "text-anchor": "middle",
-          class: "strong plate",
-        },
-        `w${"₁₂₃"[k]} = ${fixed(picked.lambda[k], 2)}`,
-      ),
-    );
+    const named: Named[] = corners.map((c, k) => ({
+      at: at(c),
+      word: `w${"₁₂₃"[k]} = ${fixed(picked.lambda[k], 2)}`,
+    }));
     const extra: SVGElement[] = [];
     if (picked.located.outside > 0)
       extra.push(
@@ -143,11 +162,12 @@ export const mount: MountFigure = async ({ figure, box, parameters }) => {
           ],
           { class: "quiet", "stroke-width": 1.2, "stroke-dasharray": "2 4" },
         ),
-        mark(picked.rx, picked.rz, "r"),
-        mark(picked.x, picked.z, "lands"),
+        mark(picked.rx, picked.rz),
+        mark(picked.x, picked.z),
       );
+      named.push({ at: [picked.rx, picked.rz], word: "r" }, { at: [picked.x, picked.z], word: "lands" });
     }
-    floor.front.replaceChildren(...spokes, ...dots, ...extra, ...words);
+    floor.front.replaceChildren(...spokes, ...dots, ...extra, ...names(floor, p, named));
     fillValues({
       [`${key}w1`]: fixed(picked.lambda[0], 2),
       [`${key}w2`]: fixed(picked.lambda[1], 2),
@@ -156,32 +176,27 @@ export const mount: MountFigure = async ({ figure, box, parameters }) => {
       clips: String(data.names.length),
       beta: fixed(picked.beta, 2),
     });
-    const names = corners.map((c) => data.names[c]).join(", ");
+    const clips = corners.map((c) => data.names[c]).join(", ");
     const miss = Math.hypot(picked.x - x, picked.z - z);
     finding.textContent =
       picked.located.outside > 0
-        ? `The stone is ${fixed(100 * picked.located.outside, 1)} cm outside of the hull; its nearest point is blended from ${names}, and the leg has to reach the rest.`
+        ? `The stone is ${fixed(100 * picked.located.outside, 1)} cm outside of the hull; its nearest point is blended from ${clips}, and the leg has to reach the rest.`
         : withRoot
           ? `With λ₄ = ${fixed(picked.lambda4, 2)} and β = ${fixed(picked.beta, 2)} the blend lands ${fixed(100 * miss, 1)} cm from the stone. ${mix.count} clips take part.`
-          : `The triangle's corners are ${names}.`;
+          : `The triangle's corners are ${clips}.`;
   };
   const weightOf = (clip: number): number => {
     let sum = 0;
     for (let i = 0; i < mix.count; i++) if (mix.clips[i] === clip) sum += mix.weights[i];
     return Math.max(0, sum);
   };
-  const mark = (x: number, z: number, word: string): SVGGElement => {
-    const g = svgEl("g");
+  const mark = (x: number, z: number): SVGPathElement => {
     const [px, py] = [floor.px(x), floor.py(z)];
-    g.append(
-      svgEl("path", {
-        class: "ink",
-        d: `M${px - 6} ${py - 6}L${px + 6} ${py + 6}M${px + 6} ${py - 6}L${px - 6} ${py + 6}`,
-        "stroke-width": 2,
-      }),
-      svgEl("text", { x: px + 10, y: py + 4, class: "strong plate" }, word),
-    );
-    return g;
+    return svgEl("path", {
+      class: "ink",
+      d: `M${px - 6} ${py - 6}L${px + 6} ${py + 6}M${px + 6} ${py - 6}L${px - 6} ${py + 6}`,
+      "stroke-width": 2,
+    });
   };
   parameters.watch([`${key}stone`, `${key}foot`, ...(withRoot ? ["lambda4", "speed", "turn"] : [])], draw);
   draw();

@@ -17,6 +17,13 @@ export interface ChartOptions {
   right?: number;
 }
 
+/** Least and most of a box in which a chart's letters keep their size, CSS pixels. */
+const [LEAST, NARROW] = [320, 620];
+
+/** How wide a chart is drawn: as wide as wished, or as its box on a narrow page, where it would be too small to read. */
+export const chartWidth = (box: HTMLElement, wished: number): number =>
+  box.clientWidth > 0 && box.clientWidth < NARROW ? Math.max(LEAST, box.clientWidth - 26) : wished;
+
 export class Chart {
   readonly svg: SVGSVGElement;
   readonly content = svgEl("g");

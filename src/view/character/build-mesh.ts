@@ -66,8 +66,10 @@ export function buildCharacterMesh(skeleton: Skeleton, fineness = 1): CharacterM
 
 /** Naive surface nets [Gibson 1998]: one vertex a cell that the surface crosses, a quad an edge. Far blocks are skipped. */
 function surfaceNets(raw: Raw, field: Field, only: number | null): void {
-  const { cell, low, high } = field;
-  const n = [0, 1, 2].map((k) => Math.ceil((high[k] - low[k]) / cell) + 1);
+  const { cell, high } = field;
+  // Two cells all round: where the surface came into the outermost ones, it had a hole.
+  const low = field.low.map((v) => v - 2 * cell);
+  const n = [0, 1, 2].map((k) => Math.ceil((high[k] + 2 * cell - low[k]) / cell) + 1);
   const [nx, ny, nz] = n;
   const value = new Float32Array(nx * ny * nz).fill(1);
   const B = 6;
