@@ -18,7 +18,7 @@ const BOUND_SAMPLES = 14;
 const TOLD_SAMPLES = 20;
 const TOLD_POSE = 4;
 /** Others that are looked at: the nearest within the visual field. */
-export const MOST_OTHERS = 18;
+export const MOST_OTHERS = 26;
 /** Of these, whose nearness costs. */
 const MOST_NEAR = 12;
 /** Gap kept between bodies, metres. */
@@ -157,6 +157,7 @@ export function isFree(
   const kind = steps[p + P.kind];
   const moves = kind === KIND.walk || kind === KIND.start;
   const rest = first && moves ? Math.ceil(STOP_TIME / MOMENT) : 0;
+  if (first && kind === KIND.walk && !footfallFree(others, steps, p)) return false;
   let x0 = Number.POSITIVE_INFINITY;
   let x1 = Number.NEGATIVE_INFINITY;
   let z0 = Number.POSITIVE_INFINITY;
@@ -184,6 +185,21 @@ function strollsFree(ground: Ground, steps: Float64Array, p: number): boolean {
   const far =
     steps[p + P.kind] === KIND.shift ? along : (along + steps[p + P.toFoot] / 4) * steps[p + P.duration];
   return far <= ROAM;
+}
+
+/**
+ * Whether the foot that lands as a first step begins meets none that stands there still: by the first moment that is looked at otherwise
+ * that one may have gone.
+ */
+function footfallFree(others: Others, steps: Float64Array, p: number): boolean {
+  const { bound, now } = others;
+  mine[0] = steps[p + P.x];
+  mine[1] = steps[p + P.z];
+  mine[4] = steps[p + P.footX];
+  mine[5] = steps[p + P.footZ];
+  for (let i = 0; i < others.count; i++)
+    if (now[i] > 0 && feetMeet(mine, 0, bound, i * BOUND_SAMPLES * POSE)) return false;
+  return true;
 }
 
 /** Whether a first step and the rest after it touch nobody's step and rest. */

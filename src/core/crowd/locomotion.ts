@@ -11,6 +11,9 @@ export const STOP_TIME = 0.35;
 /** Twist of the torso that lets a body through a gap sideways, radians over the heading of the feet. */
 export const TWIST = 1.2;
 
+/** Cosine of how far a torso turns at most as one starts: 115 degrees. One that is twisted the other way first comes back. */
+const MOST_SWEEP = -0.77;
+
 const interval = new Float64Array(2);
 
 /** Notes what a step costs [Footsteps eqs. 13-16] and returns the sum, J/kg. */
@@ -49,9 +52,9 @@ export function createFootstep(
   action[ACTION.sin] = turnSin;
   action[ACTION.speed] = speed;
   action[ACTION.duration] = duration;
-  if (!weighFootstep(out, o, steps, p, s, i, gait)) return -1;
-  finishFootstep(out, o, steps, p, s, i, gait);
-  return steps[p + P.fixedEnergy] + steps[p + P.speedEnergy] + steps[p + P.bendEnergy];
+  if (!weighFootstep(s, i, gait)) return -1;
+  makeFootstep(out, o, steps, p, s, i, gait);
+  return weighed[WEIGHED.fixedEnergy] + weighed[WEIGHED.speedEnergy] + weighed[WEIGHED.bendEnergy];
 }
 
 /** Whether a foot that leads to a parabola turned by `theta` could point anywhere [Footsteps eq. 12]. */
@@ -64,22 +67,32 @@ export const footCouldPoint = (s: Float64Array, i: number, theta: number, gait: 
  */
 export const action = new Float64Array(5);
 export const ACTION = { theta: 0, cos: 1, sin: 2, speed: 3, duration: 4 } as const;
+/** Numbers of an action. */
+export const ACTIONS = 5;
+
+/** What `weighFootstep` finds: where the step leads, its energies, and the parabola and foot. */
+export const weighed = new Float64Array(11);
+export const WEIGHED = {
+  x: 0,
+  z: 1,
+  fixedEnergy: 2,
+  speedEnergy: 3,
+  bendEnergy: 4,
+  px: 5,
+  pz: 6,
+  along: 7,
+  toFoot: 8,
+  footX: 9,
+  footZ: 10,
+} as const;
 
 /**
- * The part of `createFootstep` that a footstep's worth depends on: where it leads to and its energies. Most footsteps that are thought
- * of are never looked at; `finishFootstep` adds the rest to those that are.
+ * The part of `createFootstep` that a footstep's worth depends on, into `weighed`. Most footsteps that are thought of are never looked at;
+ * `makeFootstep` writes down those that are.
  *
  * @returns false when the foot would be out of reach.
  */
-export function weighFootstep(
-  out: Float64Array,
-  o: number,
-  steps: Float64Array,
-  p: number,
-  s: Float64Array,
-  i: number,
-  gait: Gait,
-): boolean {
+export function weighFootstep(s: Float64Array, i: number, gait: Gait): boolean {
   const turnCos = action[ACTION.cos];
   const turnSin = action[ACTION.sin];
   const speed = action[ACTION.speed];
@@ -104,27 +117,22 @@ export function weighFootstep(
   const apart2 = fx * fx + fz * fz;
   if (apart2 > gait.strideMost * gait.strideMost) return false;
   const kept = s[i + S.speed] * (1 - 2 * Math.min(0.5, apart2 / (4 * gait.leg * gait.leg)));
-  steps[p + P.duration] = duration;
-  steps[p + P.px] = px;
-  steps[p + P.pz] = pz;
-  steps[p + P.along] = along;
-  steps[p + P.toFoot] = toFoot;
-  steps[p + P.theta] = action[ACTION.theta];
-  steps[p + P.fixedEnergy] = gait.power * duration;
-  steps[p + P.speedEnergy] = 0.5 * Math.abs(speed * speed - kept * kept);
-  steps[p + P.bendEnergy] = gait.bend * alpha * speed * duration;
-  out[o + S.x] = x + px * along * duration;
-  out[o + S.z] = z + pz * along * duration;
-  out[o + S.ux] = turnCos * px - side * turnSin * pz;
-  out[o + S.uz] = turnCos * pz + side * turnSin * px;
-  out[o + S.speed] = speed;
-  out[o + S.footX] = footX;
-  out[o + S.footZ] = footZ;
+  weighed[WEIGHED.x] = x + px * along * duration;
+  weighed[WEIGHED.z] = z + pz * along * duration;
+  weighed[WEIGHED.fixedEnergy] = gait.power * duration;
+  weighed[WEIGHED.speedEnergy] = 0.5 * Math.abs(speed * speed - kept * kept);
+  weighed[WEIGHED.bendEnergy] = gait.bend * alpha * speed * duration;
+  weighed[WEIGHED.px] = px;
+  weighed[WEIGHED.pz] = pz;
+  weighed[WEIGHED.along] = along;
+  weighed[WEIGHED.toFoot] = toFoot;
+  weighed[WEIGHED.footX] = footX;
+  weighed[WEIGHED.footZ] = footZ;
   return true;
 }
 
-/** Adds to a footstep that was weighed all else that its step and the state at its end say. */
-export function finishFootstep(
+/** Writes down the footstep that was weighed last: its step and the state at its end. */
+export function makeFootstep(
   out: Float64Array,
   o: number,
   steps: Float64Array,
@@ -133,18 +141,24 @@ export function finishFootstep(
   i: number,
   gait: Gait,
 ): void {
-  const theta = steps[p + P.theta];
+  const theta = action[ACTION.theta];
   footCouldPoint(s, i, theta, gait);
+  const duration = action[ACTION.duration];
   const side = s[i + S.side];
-  const px = steps[p + P.px];
-  const pz = steps[p + P.pz];
+  const px = weighed[WEIGHED.px];
+  const pz = weighed[WEIGHED.pz];
   steps[p + P.kind] = KIND.walk;
   steps[p + P.start] = s[i + S.time];
+  steps[p + P.duration] = duration;
   steps[p + P.x] = s[i + S.x];
   steps[p + P.z] = s[i + S.z];
+  steps[p + P.px] = px;
+  steps[p + P.pz] = pz;
+  steps[p + P.along] = weighed[WEIGHED.along];
+  steps[p + P.toFoot] = weighed[WEIGHED.toFoot];
   steps[p + P.side] = side;
-  steps[p + P.footX] = out[o + S.footX];
-  steps[p + P.footZ] = out[o + S.footZ];
+  steps[p + P.footX] = weighed[WEIGHED.footX];
+  steps[p + P.footZ] = weighed[WEIGHED.footZ];
   steps[p + P.fromX] = s[i + S.faceX];
   steps[p + P.fromZ] = s[i + S.faceZ];
   steps[p + P.toX] = px;
@@ -155,14 +169,28 @@ export function finishFootstep(
   steps[p + P.headZ] = pz;
   steps[p + P.inner] = interval[0];
   steps[p + P.outer] = interval[1];
+  steps[p + P.theta] = theta;
   steps[p + P.yaw] = interval[0];
+  steps[p + P.fixedEnergy] = weighed[WEIGHED.fixedEnergy];
+  steps[p + P.speedEnergy] = weighed[WEIGHED.speedEnergy];
+  steps[p + P.bendEnergy] = weighed[WEIGHED.bendEnergy];
   steps[p + P.nearness] = 0;
+  // The motion leaves the parabola turned away from the foot once more.
+  const turnCos = action[ACTION.cos];
+  const turnSin = action[ACTION.sin];
+  out[o + S.x] = weighed[WEIGHED.x];
+  out[o + S.z] = weighed[WEIGHED.z];
+  out[o + S.ux] = turnCos * px - side * turnSin * pz;
+  out[o + S.uz] = turnCos * pz + side * turnSin * px;
+  out[o + S.speed] = action[ACTION.speed];
   out[o + S.side] = -side;
+  out[o + S.footX] = weighed[WEIGHED.footX];
+  out[o + S.footZ] = weighed[WEIGHED.footZ];
   out[o + S.faceX] = px;
   out[o + S.faceZ] = pz;
   out[o + S.headX] = px;
   out[o + S.headZ] = pz;
-  out[o + S.time] = s[i + S.time] + steps[p + P.duration];
+  out[o + S.time] = s[i + S.time] + duration;
   out[o + S.theta] = theta;
   out[o + S.inner] = interval[0];
   out[o + S.outer] = interval[1];
@@ -265,7 +293,7 @@ export function createStop(
  * Starts from rest: the weight falls forward off a foot that stays where it stands, evenly faster, while the other swings.
  *
  * @param dx, dz way to go, unit. @param angle its yaw over the feet's heading, radians: the foot on the far side stays.
- * @returns the energy, J/kg; -1 where the feet could not turn so far in one step.
+ * @returns the energy, J/kg; -1 where feet or torso could not turn so far in one step.
  */
 export function createStart(
   out: Float64Array,
@@ -282,7 +310,7 @@ export function createStart(
   gait: Gait,
 ): number {
   const off = Math.abs(angle);
-  if (off > gait.yawRange) return -1;
+  if (off > gait.yawRange || s[i + S.faceX] * dx + s[i + S.faceZ] * dz < MOST_SWEEP) return -1;
   fromState(steps, p, s, i, KIND.start, duration);
   const side = off < 1e-3 ? s[i + S.side] : angle > 0 ? -1 : 1;
   const x = s[i + S.x];

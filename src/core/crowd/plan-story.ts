@@ -2,7 +2,7 @@
 import { type Crowd, searchAgain, stepsOf } from "./crowd.ts";
 import { wasJudged } from "./planner.ts";
 import { boundAt } from "./sight.ts";
-import { KIND, P, S, STATE, STEP } from "./state.ts";
+import { KIND, P, STEP } from "./state.ts";
 import { BODY_RADIUS, FOOT_RADIUS, SHOULDER } from "./types.ts";
 
 export interface PlanStory {
@@ -56,8 +56,8 @@ export function tellPlan(crowd: Crowd, agent: number): PlanStory | null {
     circles: circlesOf(crowd, agent, crowd.tick),
   };
   for (let n = 0; n < p.nodes; n++) {
-    story.x.push(p.states[n * STATE + S.x]);
-    story.z.push(p.states[n * STATE + S.z]);
+    story.x.push(p.places[2 * n]);
+    story.z.push(p.places[2 * n + 1]);
     story.parent.push(p.parent[n]);
     story.f.push(p.f[n]);
     story.judged.push(wasJudged(p, n));

@@ -6,13 +6,22 @@
  * so resting is always possible. Beyond that first step others are where they have said that they will be, which may
  * change, and so costs instead of forbidding (`judge.ts`).
  */
-import { expand } from "./actions.ts";
+import { expand, expandSlower } from "./actions.ts";
 import type { Ground } from "./ground.ts";
 import { ALL, createOthers, isFree, nearness, type Others, startJudging } from "./judge.ts";
-import { finishFootstep, keepFacing, twistTorso } from "./locomotion.ts";
+import {
+  ACTIONS,
+  action,
+  keepFacing,
+  makeFootstep,
+  twistTorso,
+  WEIGHED as W,
+  weighed,
+  weighFootstep,
+} from "./locomotion.ts";
 import { ahead, type LongWay } from "./long-way.ts";
 import { KIND, P, S, STATE, STEP } from "./state.ts";
-import type { Gait } from "./types.ts";
+import { type Gait, stepTime } from "./types.ts";
 
 /** Seconds looked ahead. */
 export const HORIZON = 3;
@@ -25,6 +34,11 @@ const SPENT = 0.35;
 /** Nearness is added up until a node is this much worse than the next one open, J/kg: at once it would soon be asked again. */
 const SLACK = 0.3;
 /**
+ * Where a step was near others, the next one will be too: this share of its nearness is expected of a node until it is judged. In dense
+ * crowds a quarter fewer are judged for it; with 0, 0.3, 0.5, 0.7 and 1 rooms empty as fast.
+ */
+const LIKE_BEFORE = 0.5;
+/**
  * How far a node has come: its step is weighed only, made, judged in part: nearness is being added up (and all else is known to be free),
  * walls are left; judged.
  */
@@ -36,9 +50,14 @@ const WALLS = 4;
 const JUDGED = 5;
 
 export interface Planner {
-  /** STATE numbers a node; a node's step is what led to it. */
+  /** STATE numbers a node; a node's step is what led to it. Both are written down when it is judged: most never are. */
   states: Float64Array;
   steps: Float64Array;
+  /** Until then its action, ACTIONS numbers, and where it leads: x, z. */
+  actions: Float64Array;
+  places: Float64Array;
+  /** Its pace, by its place in the list of paces: slower ones have not been thought of yet. */
+  pace: Uint8Array;
   parent: Int32Array;
   depth: Int32Array;
   g: Float64Array;
@@ -68,6 +87,9 @@ export interface Planner {
 export const createPlanner = (): Planner => ({
   states: new Float64Array(MOST_NODES * STATE),
   steps: new Float64Array(MOST_NODES * STEP),
+  actions: new Float64Array(MOST_NODES * ACTIONS),
+  places: new Float64Array(MOST_NODES * 2),
+  pace: new Uint8Array(MOST_NODES),
   parent: new Int32Array(MOST_NODES),
   depth: new Int32Array(MOST_NODES),
   g: new Float64Array(MOST_NODES),
@@ -112,7 +134,7 @@ export interface Search {
 
 /** Energy a metre of normal steps at the speed wanted [Footsteps eq. 17]. */
 export function energyPerMetre(gait: Gait, speed: number): number {
-  const time = (gait.quick[0] + gait.quick[1]) / 2;
+  const time = (stepTime(gait, 0, speed) + stepTime(gait, 1, speed)) / 2;
   const length = speed * time;
   const apart2 = length * length + 4 * gait.footAside * gait.footAside;
   const kept = speed * (1 - 2 * Math.min(0.5, apart2 / (4 * gait.leg * gait.leg)));
@@ -130,8 +152,11 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
   const { perMetre } = search;
   search.time = start[from + S.time];
   for (let k = 0; k < STATE; k++) p.states[k] = start[from + k];
+  p.places[0] = start[from + S.x];
+  p.places[1] = start[from + S.z];
   startJudging(p.others, start, from);
   ahead(place, search.ground, search.way, start, from);
+  p.steps[P.nearness] = 0;
   p.parent[0] = -1;
   p.depth[0] = 0;
   p.g[0] = 0;
@@ -146,6 +171,8 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
   p.judgements = 0;
   p.judged[0] = JUDGED;
   let goal = -1;
+  let stop = -1;
+  let whole = false;
   let bestWorth = Number.POSITIVE_INFINITY;
   while (p.open > 0) {
     const node = takeBest(p);
@@ -159,6 +186,7 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
       }
       if (p.states[o + S.time] - search.time >= HORIZON - 1e-6 || p.h[node] < perMetre * search.tolerance) {
         goal = node;
+        whole = true;
         break;
       }
     }
@@ -170,7 +198,11 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
     const gl = Math.sqrt(gx * gx + gz * gz);
     if (gl > 1e-6) expand(p, search, node, gx / gl, gz / gl);
     else expand(p, search, node, p.states[o + S.faceX], p.states[o + S.faceZ]);
+    if (node === 0) stop = p.nodes - 1;
   }
+  // Parabolas turn to either side in turn: who walks away from the goal and finds no way round in time would go on so. At rest it can turn.
+  if (goal >= 0 && !whole && p.states[S.speed] > 0 && p.h[goal] > p.h[0] && restsFree(p, search, stop))
+    goal = stop;
   if (goal < 0) {
     p.pathLength = 0;
     return false;
@@ -180,23 +212,33 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
   return true;
 }
 
+/** Whether the stop that a search began with, judged or not, is free. */
+function restsFree(p: Planner, search: Search, stop: number): boolean {
+  if (p.judged[stop] === JUDGED) return p.f[stop] < Number.POSITIVE_INFINITY;
+  return isFree(p.others, p.steps, stop * STEP, true, search);
+}
+
 /** Whether a node's step was looked at among the others, be it in part. */
 export const wasJudged = (p: Planner, node: number): boolean => p.judged[node] > UNJUDGED;
 
 /**
- * Judges a node's step, which is put off until the node is the best one open: nearness only adds to a cost, so the order is the
- * same as if all had been judged at once, and most never are. For the same reason nobody is looked at any more once others open
- * are better, and walls last, where no twist of the torso depends on them: what is left follows when the node is the best one again.
+ * Judges a node's step, which is put off until the node is the best one open: most never are. Nearness only adds to a cost, so nobody is
+ * looked at any more once others open are better, and walls last, where no twist of the torso depends on them: what is left follows
+ * when the node is the best one again.
  *
  * @returns whether the node may be looked at now; else it was dropped, or put back at what it costs as far as is known.
  */
 function judge(p: Planner, search: Search, node: number): boolean {
   const q = node * STEP;
   if (p.judged[node] === WEIGHED) {
-    finishFootstep(p.states, node * STATE, p.steps, q, p.states, p.parent[node] * STATE, search.gait);
+    const from = p.parent[node] * STATE;
+    for (let k = 0; k < ACTIONS; k++) action[k] = p.actions[node * ACTIONS + k];
+    weighFootstep(p.states, from, search.gait);
+    makeFootstep(p.states, node * STATE, p.steps, q, p.states, from, search.gait);
     p.judged[node] = UNJUDGED;
   }
   if (p.judged[node] === UNJUDGED) {
+    expandSlower(p, search, node);
     const first = p.parent[node] === 0;
     p.judgements++;
     p.looked[node] = 0;
@@ -259,24 +301,43 @@ function squeeze(p: Planner, search: Search, node: number, first: boolean): bool
   return true;
 }
 
+/** Keeps the footstep just weighed in the next free node: its action and where it leads, for it may never be looked at. */
+export function keepWeighed(p: Planner, search: Search, node: number): void {
+  const next = p.nodes;
+  const { actions, places } = p;
+  for (let k = 0; k < ACTIONS; k++) actions[next * ACTIONS + k] = action[k];
+  places[2 * next] = weighed[W.x];
+  places[2 * next + 1] = weighed[W.z];
+  p.judged[next] = WEIGHED;
+  keepNext(p, search, node, 0);
+}
+
+/** Keeps the step made in the next free node. */
+export function keepMade(p: Planner, search: Search, node: number): void {
+  const next = p.nodes;
+  const o = next * STATE;
+  p.places[2 * next] = p.states[o + S.x];
+  p.places[2 * next + 1] = p.states[o + S.z];
+  p.judged[next] = UNJUDGED;
+  // Who rests has still to get under way: else standing would look best whenever little is gained within the horizon.
+  keepNext(p, search, node, p.states[o + S.speed] === 0 ? search.underWay : 0);
+}
+
 /**
- * Keeps the step made in the next free node as a child, not judged yet; its energy is in `p.cost`, and in `p.twist` what going sideways
- * would add where the plain step is not free, 0 for never.
+ * Makes the next free node a child that is not judged yet; its energy is in `p.cost`, and in `p.twist` what going sideways would add
+ * where the plain step is not free, 0 for never.
  *
- * @param finished whether the step is made, not only weighed.
+ * @param more energy to come over that of the way left, J/kg.
  */
-export function keepNext(p: Planner, search: Search, node: number, finished: boolean): void {
+function keepNext(p: Planner, search: Search, node: number, more: number): void {
   const next = p.nodes++;
   p.generated++;
-  p.judged[next] = finished ? UNJUDGED : WEIGHED;
   p.parent[next] = node;
   p.depth[next] = p.depth[node] + 1;
   p.g[next] = p.g[node] + p.cost[next];
-  const o = next * STATE;
-  ahead(place, search.ground, search.way, p.states, o);
-  // Who rests has still to get under way: else standing would look best whenever little is gained within the horizon.
-  p.h[next] = search.perMetre * place[2] + (p.states[o + S.speed] === 0 ? search.underWay : 0);
-  p.f[next] = p.g[next] + p.h[next];
+  ahead(place, search.ground, search.way, p.places, 2 * next);
+  p.h[next] = search.perMetre * place[2] + more;
+  p.f[next] = p.g[next] + p.h[next] + LIKE_BEFORE * p.steps[node * STEP + P.nearness];
   putOpen(p, next);
 }
 
