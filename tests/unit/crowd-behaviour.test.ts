@@ -209,6 +209,34 @@ describe("feet", () => {
     }
   });
 
+  it("take a person's time to turn about from standing: 0.5 to 0.7 s for the first step and the shift of weight before it", () => {
+    for (const behind of [-1, -0.5, 0.5, 1]) {
+      const w = worldOf([walker(0, 0, 0, 5)]);
+      w.agents[0].goals[0] = { x: behind, z: -8, box: null, speed: 1.3, patience: 1e9 };
+      const track = simulateCrowd(w, 30);
+      expect(track.arrived).toBe(1);
+      const first = track.footsteps.find((s) => s.lift !== null);
+      expect(first?.land).toBeGreaterThanOrEqual(0.5 - 1e-9);
+      expect(first?.land).toBeLessThanOrEqual(0.7 + 1e-9);
+      expect((first?.land ?? 0) - (first?.lift ?? 0)).toBeGreaterThanOrEqual(0.4);
+    }
+  });
+
+  it("stay down longer where a lower speed is wanted, as people's do", () => {
+    const longest = [0.9, 1.3].map((speed) => {
+      const w = worldOf([walker(0, 0, 0, 12, speed)]);
+      const crowd = createCrowd(w);
+      const times: number[] = [];
+      crowd.onStep = () => {
+        const p = stepsOf(0);
+        if (crowd.steps[p + P.kind] === KIND.walk) times.push(crowd.steps[p + P.duration]);
+      };
+      for (let t = 0; t < 2000 && stepCrowd(crowd) > 0; t++);
+      return times.sort((a, b) => a - b)[times.length >> 1];
+    });
+    expect(longest).toEqual([0.6, 0.5]);
+  });
+
   it("that limp are quicker on the leg that hurts", () => {
     const w = worldOf([walker(0, 0, 0, 12)]);
     w.agents[0].gait = limping(0);

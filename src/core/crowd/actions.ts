@@ -15,6 +15,7 @@ import {
 } from "./locomotion.ts";
 import { keepMade, keepWeighed, type Planner, type Search } from "./planner.ts";
 import { P, S, STATE, STEP } from "./state.ts";
+import { stepTime } from "./types.ts";
 
 const degrees = (values: number[]): number[] => values.map((d) => (d * Math.PI) / 180);
 /** Turns of the parabola from the motion: from almost straight to almost a U-turn. */
@@ -32,6 +33,8 @@ const START_COS = STARTS.map(cosine);
 const START_SIN = STARTS.map(sine);
 /** Widest start over the feet's heading, radians: beyond it feet are shifted or turned first. */
 const WIDEST_START = 1.6;
+/** Cosine between torso and feet under which one stands twisted. */
+const TWISTED = 0.9;
 /** Shifts: ways off the way to the goal, how far, how long, and how far the feet turn to the goal at once. */
 const SHIFTS = degrees([0, 90, -90, 180, 140, -140]);
 const SHIFT_COS = SHIFTS.map(cosine);
@@ -111,7 +114,7 @@ function keepPace(p: Planner, search: Search, node: number, from: number): void 
     const pace = search.speed * PACES[v] * gait.pace[foot];
     if (pace > speed + FASTER || pace < speed - SLOWER) continue;
     action[ACTION.speed] = pace;
-    action[ACTION.duration] = v === 0 ? gait.quick[foot] : gait.slow[foot];
+    action[ACTION.duration] = v === 0 ? stepTime(gait, foot, search.speed) : gait.slow[foot];
     if (!weighFootstep(p.states, o, gait)) continue;
     const { nodes } = p;
     p.cost[nodes] =
@@ -220,7 +223,9 @@ function expandRest(p: Planner, search: Search, node: number, o: number, gx: num
     if (energy < 0) return;
     keep(p, search, node, far === 0 ? energy : energy + SQUEEZE_COST, far === 0 ? 0 : KEEP_COST);
   };
-  for (let t = Math.abs(goalYaw) > WIDEST_START ? 0 : 1; t < SHIFTS.length; t++) {
+  // Who stands wedged, torso twisted over the feet, may only come on as it is: a start would turn a shoulder into what it is twisted for.
+  const twisted = p.states[o + S.faceX] * headX + p.states[o + S.faceZ] * headZ < TWISTED;
+  for (let t = twisted || Math.abs(goalYaw) > WIDEST_START ? 0 : 1; t < SHIFTS.length; t++) {
     const dx = SHIFT_COS[t] * gx + SHIFT_SIN[t] * gz;
     const dz = SHIFT_COS[t] * gz - SHIFT_SIN[t] * gx;
     shift(dx, dz, SHIFT, toX, toZ, turn);

@@ -80,13 +80,25 @@ export function giveWay(
     const mine = hash(agent, turn);
     const theirs = hash(facing, turn);
     if (mine > theirs || (mine === theirs && agent > facing)) return null;
-  } else if (waited < STUCK_AFTER || hash(agent, Math.floor((waited - STUCK_AFTER) / CHOICE)) % 3 !== 0)
-    return null;
+  } else if (waited < STUCK_AFTER || !crowded(neighbours, count, x, z)) return null;
+  // By the clock, not by how long one has waited: who makes room begins to wait anew, and would draw the same for ever.
+  else if (hash(agent, Math.floor(time / CHOICE)) % 3 !== 0) return null;
   findRoom(ground, wishes, neighbours, count, agent, facing, x, z);
   wish.roomUntil = time + CHOICE;
   room.goalX = wish.roomX;
   room.goalZ = wish.roomZ;
   return room;
+}
+
+/** Whether anybody is near enough to make room for: who has strayed alone only has to turn back. */
+function crowded(neighbours: Neighbours, count: number, x: number, z: number): boolean {
+  for (let n = 0; n < count; n++) {
+    const k = neighbours.seen[n];
+    const dx = neighbours.places[2 * k] - x;
+    const dz = neighbours.places[2 * k + 1] - z;
+    if (dx * dx + dz * dz < NEAR * NEAR) return true;
+  }
+  return false;
 }
 
 /** The nearest walker ahead that wants to come this way; -1 when there is none. */

@@ -18,7 +18,7 @@ const BOUND_SAMPLES = 14;
 const TOLD_SAMPLES = 20;
 const TOLD_POSE = 4;
 /** Others that are looked at: the nearest within the visual field. */
-export const MOST_OTHERS = 18;
+export const MOST_OTHERS = 26;
 /** Of these, whose nearness costs. */
 const MOST_NEAR = 12;
 /** Gap kept between bodies, metres. */

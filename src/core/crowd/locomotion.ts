@@ -11,6 +11,9 @@ export const STOP_TIME = 0.35;
 /** Twist of the torso that lets a body through a gap sideways, radians over the heading of the feet. */
 export const TWIST = 1.2;
 
+/** Cosine of how far a torso turns at most as one starts: 115 degrees. One that is twisted the other way first comes back. */
+const MOST_SWEEP = -0.77;
+
 const interval = new Float64Array(2);
 
 /** Notes what a step costs [Footsteps eqs. 13-16] and returns the sum, J/kg. */
@@ -290,7 +293,7 @@ export function createStop(
  * Starts from rest: the weight falls forward off a foot that stays where it stands, evenly faster, while the other swings.
  *
  * @param dx, dz way to go, unit. @param angle its yaw over the feet's heading, radians: the foot on the far side stays.
- * @returns the energy, J/kg; -1 where the feet could not turn so far in one step.
+ * @returns the energy, J/kg; -1 where feet or torso could not turn so far in one step.
  */
 export function createStart(
   out: Float64Array,
@@ -307,7 +310,7 @@ export function createStart(
   gait: Gait,
 ): number {
   const off = Math.abs(angle);
-  if (off > gait.yawRange) return -1;
+  if (off > gait.yawRange || s[i + S.faceX] * dx + s[i + S.faceZ] * dz < MOST_SWEEP) return -1;
   fromState(steps, p, s, i, KIND.start, duration);
   const side = off < 1e-3 ? s[i + S.side] : angle > 0 ? -1 : 1;
   const x = s[i + S.x];

@@ -21,7 +21,7 @@ import {
 } from "./locomotion.ts";
 import { ahead, type LongWay } from "./long-way.ts";
 import { KIND, P, S, STATE, STEP } from "./state.ts";
-import type { Gait } from "./types.ts";
+import { type Gait, stepTime } from "./types.ts";
 
 /** Seconds looked ahead. */
 export const HORIZON = 3;
@@ -134,7 +134,7 @@ export interface Search {
 
 /** Energy a metre of normal steps at the speed wanted [Footsteps eq. 17]. */
 export function energyPerMetre(gait: Gait, speed: number): number {
-  const time = (gait.quick[0] + gait.quick[1]) / 2;
+  const time = (stepTime(gait, 0, speed) + stepTime(gait, 1, speed)) / 2;
   const length = speed * time;
   const apart2 = length * length + 4 * gait.footAside * gait.footAside;
   const kept = speed * (1 - 2 * Math.min(0.5, apart2 / (4 * gait.leg * gait.leg)));
@@ -171,6 +171,8 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
   p.judgements = 0;
   p.judged[0] = JUDGED;
   let goal = -1;
+  let stop = -1;
+  let whole = false;
   let bestWorth = Number.POSITIVE_INFINITY;
   while (p.open > 0) {
     const node = takeBest(p);
@@ -184,6 +186,7 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
       }
       if (p.states[o + S.time] - search.time >= HORIZON - 1e-6 || p.h[node] < perMetre * search.tolerance) {
         goal = node;
+        whole = true;
         break;
       }
     }
@@ -195,7 +198,11 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
     const gl = Math.sqrt(gx * gx + gz * gz);
     if (gl > 1e-6) expand(p, search, node, gx / gl, gz / gl);
     else expand(p, search, node, p.states[o + S.faceX], p.states[o + S.faceZ]);
+    if (node === 0) stop = p.nodes - 1;
   }
+  // Parabolas turn to either side in turn: who walks away from the goal and finds no way round in time would go on so. At rest it can turn.
+  if (goal >= 0 && !whole && p.states[S.speed] > 0 && p.h[goal] > p.h[0] && restsFree(p, search, stop))
+    goal = stop;
   if (goal < 0) {
     p.pathLength = 0;
     return false;
@@ -203,6 +210,12 @@ export function planSteps(p: Planner, start: Float64Array, from: number, search:
   p.pathLength = p.depth[goal];
   for (let n = goal, k = p.pathLength - 1; k >= 0; k--, n = p.parent[n]) p.path[k] = n;
   return true;
+}
+
+/** Whether the stop that a search began with, judged or not, is free. */
+function restsFree(p: Planner, search: Search, stop: number): boolean {
+  if (p.judged[stop] === JUDGED) return p.f[stop] < Number.POSITIVE_INFINITY;
+  return isFree(p.others, p.steps, stop * STEP, true, search);
 }
 
 /** Whether a node's step was looked at among the others, be it in part. */

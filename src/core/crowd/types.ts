@@ -64,7 +64,7 @@ export interface Gait {
   leg: number;
   /** From the body's middle to a foot at rest, metres [Footsteps d of §3.2]. */
   footAside: number;
-  /** Time on each planted foot at the speed wanted and when slower, seconds, multiples of 0.1: unequal for one who limps. */
+  /** Time on each planted foot at the speed wanted and when slower (or where that is slow), seconds, multiples of 0.1: unequal for one who limps. */
   quick: EachFoot;
   slow: EachFoot;
   /** Speed on each planted foot over the speed wanted: less on an injured leg. */
@@ -93,6 +93,13 @@ export const DEFAULT_GAIT: Gait = {
   sight: 7,
   sightBehind: 2,
 };
+
+/** Slower than this people take longer steps in time, not only shorter ones, metres a second: 0.6 s at 0.9 m/s. */
+const STROLL = 1.05;
+
+/** Time on a planted foot, 0 left or 1 right, of one who walks at the speed wanted, seconds. */
+export const stepTime = (gait: Gait, foot: 0 | 1, speed: number): number =>
+  speed * gait.pace[foot] > STROLL ? gait.quick[foot] : gait.slow[foot];
 
 /** An injured walker's gait: short, slow steps on the leg that hurts, 0 left or 1 right. */
 export function limping(leg: 0 | 1): Partial<Gait> {
