@@ -208,7 +208,7 @@ test("a lesson: the reader drags the goal, resets, prints a link; its zip opens 
   await page.goto("/lessons/footsteps-for-a-task.html?wd=0.6&lock=wd");
   const fit = page.locator('[data-figure="fit-steps"]');
   await fit.scrollIntoViewIfNeeded();
-  await expect(fit).toHaveAttribute("data-mounted", "true");
+  await expect(fit).toHaveAttribute("data-mounted", "true", { timeout: 60_000 });
   const value = page.locator('mn[data-value="f_g"]');
   await expect(value).not.toHaveText("–");
   const before = await value.textContent();
@@ -239,7 +239,9 @@ test("a lesson: the reader drags the goal, resets, prints a link; its zip opens 
   const offline = await context.newPage();
   await offline.goto(pathToFileURL(join(folder, "lessons/footsteps-for-a-task.html")).href);
   await offline.locator('[data-figure="fit-steps"]').scrollIntoViewIfNeeded();
-  await expect(offline.locator('[data-figure="fit-steps"]')).toHaveAttribute("data-mounted", "true");
+  await expect(offline.locator('[data-figure="fit-steps"]')).toHaveAttribute("data-mounted", "true", {
+    timeout: 60_000,
+  });
   await expect(offline.locator('mn[data-value="f_g"]')).not.toHaveText("–");
   expect(await offline.evaluate(() => getComputedStyle(document.body).fontFamily)).toContain("STIX");
 });
@@ -257,7 +259,7 @@ for (const file of readdirSync("lessons").filter((f) => f.endsWith(".html")))
     await page.goto(`/lessons/${file}`);
     for (const figure of await page.locator("[data-figure]").all()) {
       await figure.scrollIntoViewIfNeeded();
-      await expect(figure).toHaveAttribute("data-mounted", "true");
+      await expect(figure).toHaveAttribute("data-mounted", "true", { timeout: 60_000 });
     }
     expect(await seriousViolations(page)).toEqual([]);
   });
