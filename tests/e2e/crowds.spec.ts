@@ -63,8 +63,8 @@ const DOOR = JSON.stringify({
   })),
   crowd: {
     agents: [
-      { position: [-0.4, -4], yaw: 0, goals: [[-0.4, 5]], speed: 1.3 },
-      { position: [0.4, 3.6], yaw: Math.PI, goals: [[0.4, -5]], speed: 1.3 },
+      { position: [-0.17, -4], yaw: 0, goals: [[-0.17, 5]], speed: 1.3 },
+      { position: [0.17, 4], yaw: Math.PI, goals: [[0.17, -5]], speed: 1.3 },
     ],
     regions: [],
   },

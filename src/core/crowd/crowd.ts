@@ -20,7 +20,7 @@ import { chooseYaw } from "./yaw-interval.ts";
 const ARRIVED = 0.9;
 const ARRIVED_BOX = 0.15;
 /** Nodes expanded by a plan: normally, and by one who has not come on for a while. */
-const NODES = 60;
+const NODES = 50;
 const STUCK_NODES = 80;
 /** Steps taken from one plan before the next search, and how much dearer the rest may have become, J/kg. */
 const KEPT = 1;

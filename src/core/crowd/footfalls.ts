@@ -3,7 +3,6 @@
  * lands as its step begins; it has swung while the step before was walked, after a short time on both feet.
  */
 import { arcTangent } from "./elementary.ts";
-import { STOP_TIME } from "./locomotion.ts";
 import { KIND, P } from "./state.ts";
 
 export interface CrowdFootstep {
@@ -81,7 +80,7 @@ export function footfallsOf(
   if (first) return [at(side, x, z, null, start), at(-side, acrossX, acrossZ, null, start)];
   if (kind === KIND.walk) return [at(side, x, z, lifted, start)];
   if (kind === KIND.stop)
-    return [at(side, x, z, lifted, start), at(-side, acrossX, acrossZ, start + BETWEEN, start + STOP_TIME)];
+    return [at(side, x, z, lifted, start), at(-side, acrossX, acrossZ, start + BETWEEN, start + duration)];
   if (kind === KIND.shift)
     return [
       at(side, x, z, start + BEFORE, start + duration / 2),
@@ -110,7 +109,7 @@ export function plantedFeet(
   }
   out[0] = x;
   out[1] = z;
-  if (kind !== KIND.stand && !(kind === KIND.stop && t >= STOP_TIME)) return 1;
+  if (kind !== KIND.stand && !(kind === KIND.stop && t >= steps[p + P.duration] - 1e-9)) return 1;
   out[2] = x - 2 * side * steps[p + P.headZ] * footAside;
   out[3] = z + 2 * side * steps[p + P.headX] * footAside;
   return 2;

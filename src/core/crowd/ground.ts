@@ -12,8 +12,9 @@ export interface Ground {
   lookRows: number;
   starts: Int32Array;
   items: Int32Array;
-  /** Side of a cell of the grid of ways, metres. */
+  /** Side of a cell of the grid of ways, metres, and cells a metre: exact, for sides are powers of two. */
   cell: number;
+  perMetre: number;
   /** Grid of ways: origin, cells, and whether a walker's middle may be there. */
   x0: number;
   z0: number;
@@ -125,6 +126,7 @@ export function createGround(world: CrowdWorld): Ground {
     starts: new Int32Array(1),
     items: new Int32Array(0),
     cell,
+    perMetre: 1 / cell,
     x0,
     z0,
     columns,
@@ -192,8 +194,8 @@ function sortObstacles(g: Ground): void {
 export function nearestGap(g: Ground, places: Float64Array, i: number): number {
   const x = places[i];
   const z = places[i + 1];
-  const a = Math.floor((x - g.lookX0) / LOOKUP);
-  const b = Math.floor((z - g.lookZ0) / LOOKUP);
+  const a = Math.floor((x - g.lookX0) * (1 / LOOKUP));
+  const b = Math.floor((z - g.lookZ0) * (1 / LOOKUP));
   if (a < 0 || b < 0 || a >= g.lookColumns || b >= g.lookRows) return 1;
   const cell = b * g.lookColumns + a;
   const { flat, items } = g;
@@ -219,8 +221,8 @@ export function nearestGap(g: Ground, places: Float64Array, i: number): number {
 
 /** Index of the cell of a point; -1 outside. */
 export function cellOf(ground: Ground, x: number, z: number): number {
-  const i = Math.floor((x - ground.x0) / ground.cell);
-  const k = Math.floor((z - ground.z0) / ground.cell);
+  const i = Math.floor((x - ground.x0) * ground.perMetre);
+  const k = Math.floor((z - ground.z0) * ground.perMetre);
   return i < 0 || k < 0 || i >= ground.columns || k >= ground.rows ? -1 : k * ground.columns + i;
 }
 

@@ -2,7 +2,7 @@
  * The pendulum's footsteps [Footsteps §3]: a state is where the middle of mass is and how it moves as a step ends, and which foot
  * comes next; an action is the parabola's direction, speed and time; createFootstep leads from one to the next.
  */
-import { KIND, P, POSE, S, STATE, STEP } from "./state.ts";
+import { KIND, P, POSE, S, STATE } from "./state.ts";
 import type { Gait } from "./types.ts";
 import { nextYawInterval } from "./yaw-interval.ts";
 
@@ -234,7 +234,14 @@ function fromState(
   kind: number,
   duration: number,
 ): void {
-  for (let k = 0; k < STEP; k++) steps[p + k] = 0;
+  steps[p + P.along] = 0;
+  steps[p + P.toFoot] = 0;
+  steps[p + P.footX] = 0;
+  steps[p + P.footZ] = 0;
+  steps[p + P.inner] = 0;
+  steps[p + P.outer] = 0;
+  steps[p + P.theta] = 0;
+  steps[p + P.yaw] = 0;
   steps[p + P.kind] = kind;
   steps[p + P.start] = s[i + S.time];
   steps[p + P.duration] = duration;

@@ -234,8 +234,8 @@ export function ahead(
   out[2] = Math.sqrt(gx * gx + gz * gz);
   if (!way.bent) return;
   const { columns, rows } = ground;
-  const i = Math.floor((x - ground.x0) / ground.cell);
-  const k = Math.floor((z - ground.z0) / ground.cell);
+  const i = Math.floor((x - ground.x0) * ground.perMetre);
+  const k = Math.floor((z - ground.z0) * ground.perMetre);
   let corner = i < 0 || k < 0 || i >= columns || k >= rows ? -1 : cornerAt(way.field, i, k);
   // Beside the field: the nearest known neighbour's.
   for (let r = 1; r <= 3 && corner < 0; r++)

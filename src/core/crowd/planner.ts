@@ -35,7 +35,7 @@ const SPENT = 0.35;
 const SLACK = 0.3;
 /**
  * Where a step was near others, the next one will be too: this share of its nearness is expected of a node until it is judged. In dense
- * crowds a quarter fewer are judged for it; with 0, 0.3, 0.5, 0.7 and 1 rooms empty as fast.
+ * crowds a third fewer are judged for it; with 0, 0.5 and 0.7 rooms empty as fast.
  */
 const LIKE_BEFORE = 0.5;
 /**
