@@ -3,9 +3,11 @@
  * paths, stones, crowds), an obstacle course, stairs, and paths in all styles, beside what real captures of walking score (their 95th percentile) and
  * the goal.
  */
+
 import { bakeLibrary } from "../../src/core/blending/library.ts";
 import { crowdOfScene } from "../../src/core/crowd/from-scene.ts";
 import { type CrowdMotion, createCrowdMotion, moveCrowd } from "../../src/core/crowd/motion.ts";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import type { MotionChunk, QualityFigures } from "../../src/core/motion/types.ts";
 import { planWhole } from "../../src/core/motion/whole-scene.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
@@ -110,7 +112,7 @@ function ofScene(name: string, scene: Scene): QualityFigures {
     cache: new Map(),
   });
   if (plan.steps.length === 0) throw new Error(`${name}: there is no motion to judge.`);
-  return measureMotion(skeleton, [chunkOf(clip, contacts)], clip.frames, plan, goalsOf(scene));
+  return measureMotion(skeleton, [wholeChunk(clip, contacts)], clip.frames, plan, goalsOf(scene));
 }
 
 /** Seconds of a crowd that are judged, and how many of its walkers. */
@@ -204,17 +206,6 @@ function walkedPlan(m: CrowdMotion, agent: number, seconds: number): Plan {
     warnings: [],
   };
 }
-
-const chunkOf = (
-  clip: { frames: number; root: Float64Array; rotations: Float64Array },
-  contacts: Uint8Array,
-) => ({
-  first: 0,
-  frames: clip.frames,
-  root: Float32Array.from(clip.root),
-  rotations: Float32Array.from(clip.rotations),
-  contacts,
-});
 
 const circle = Array.from({ length: 17 }, (_, i) => {
   const a = (2 * Math.PI * i) / 16;

@@ -5,6 +5,7 @@
  * Damped Gauss-Newton by differences. Residuals: hip, knee and ankle over max(SD, 2 degrees), excursions, clearance and
  * toe lift, joints that turn faster than people's do, jerk beyond theirs, balance, rough keys, and the distance from the start.
  */
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { balanceShares } from "../../src/core/quality/balance.ts";
 import { type GaitAnalysis, measureGait } from "../../src/core/quality/gait.ts";
 import { paceOf, steadyFrames } from "../../src/core/quality/kind.ts";
@@ -141,19 +142,7 @@ function look(recipe: Recipe, shape: GaitShape): Look | null {
     }
     return most / (usual * (recipe.run ? 1.5 : 1));
   });
-  const points = motionPoints(
-    clip.skeleton,
-    [
-      {
-        first: 0,
-        frames: clip.frames,
-        root: Float32Array.from(clip.root),
-        rotations: Float32Array.from(clip.rotations),
-        contacts,
-      },
-    ],
-    clip.frames,
-  );
+  const points = motionPoints(clip.skeleton, [wholeChunk(clip, contacts)], clip.frames);
   const nothing = { tasks: [] } as unknown as Plan;
   const level = new Float64Array(clip.frames);
   const pace = paceOf(points.root, points.yaw, clip.frames, 60);

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
 import { readScene } from "../../src/core/scene/schema.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
@@ -83,13 +84,7 @@ describe("two hundred random paths with three styles each", () => {
       expect(clip.root.every(Number.isFinite) && clip.rotations.every(Number.isFinite), `seed ${seed}`).toBe(
         true,
       );
-      const chunk = {
-        first: 0,
-        frames: clip.frames,
-        root: Float32Array.from(clip.root),
-        rotations: Float32Array.from(clip.rotations),
-        contacts,
-      };
+      const chunk = wholeChunk(clip, contacts);
       const force = Float64Array.from({ length: timeline.frames }, (_, f) => {
         const v = (timeline.at[Math.min(timeline.frames - 1, f + 1)] - timeline.at[Math.max(0, f - 1)]) * 30;
         return v * v * readPath(path, path.curvature, timeline.at[f]);

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { beginSynthesis, synthesiseClip } from "../../src/core/motion/synthesise.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
@@ -39,13 +40,7 @@ describe("two hundred random scenes", () => {
         true,
       );
       expect(plan.tasks.length, `seed ${seed}`).toBe(scene.tasks.length);
-      const chunk = {
-        first: 0,
-        frames: clip.frames,
-        root: Float32Array.from(clip.root),
-        rotations: Float32Array.from(clip.rotations),
-        contacts: synthesis.track.contacts,
-      };
+      const chunk = wholeChunk(clip, synthesis.track.contacts);
       const quality = measureMotion(skeleton, [chunk], clip.frames, plan, goals);
       GOALS.forEach(([, ok], i) => {
         if (ok(quality)) met[i]++;

@@ -1,10 +1,12 @@
 /** The body over its feet: the pendulum of the stepping-stone controller; own clips. */
+
 import { beforeAll, describe, expect, it } from "vitest";
 import { createBlendCrowd } from "../../src/core/blending/crowd.ts";
 import { type BlendLibrary, bakeLibrary } from "../../src/core/blending/library.ts";
 import { ownCycle, withOwnCycles } from "../../src/core/blending/own-cycles.ts";
 import { planStones } from "../../src/core/blending/plan-stones.ts";
 import type { CyclicSource } from "../../src/core/blending/types.ts";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
 import { pillarScene, riverScene } from "../../src/core/scene/stone-examples.ts";
 import type { Scene } from "../../src/core/scene/types.ts";
@@ -22,13 +24,7 @@ beforeAll(() => {
 
 function quality(scene: Scene) {
   const { clip, contacts, plan } = planStones(scene, library);
-  const chunk = {
-    first: 0,
-    frames: clip.frames,
-    root: Float32Array.from(clip.root),
-    rotations: Float32Array.from(clip.rotations),
-    contacts,
-  };
+  const chunk = wholeChunk(clip, contacts);
   return measureMotion(skeleton, [chunk], clip.frames, plan, []);
 }
 

@@ -1,4 +1,5 @@
 /** Footsteps are met: random tracks within the hulls, tracks out of reach, and what stones in scenes come to. */
+
 import { beforeAll, describe, expect, it } from "vitest";
 import { AIR, F_LAND, FOOT, FOOT_STATE } from "../../src/core/blending/batch.ts";
 import { createBlendCrowd, type TimedFootstep } from "../../src/core/blending/crowd.ts";
@@ -8,6 +9,7 @@ import { planStones, playTrack } from "../../src/core/blending/plan-stones.ts";
 import { createWalker } from "../../src/core/blending/walker.ts";
 import { wrapAngle } from "../../src/core/math/angle.ts";
 import { createRandom } from "../../src/core/math/random.ts";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { measureMotion, motionPoints } from "../../src/core/quality/measure.ts";
 import { parseScene } from "../../src/core/scene/schema.ts";
 import { pillarScene, riverScene } from "../../src/core/scene/stone-examples.ts";
@@ -180,13 +182,7 @@ describe("tracks out of reach", () => {
 
 function qualityOf(scene: Scene) {
   const { plan, clip, contacts } = planStones(scene, library);
-  const chunk = {
-    first: 0,
-    frames: clip.frames,
-    root: Float32Array.from(clip.root),
-    rotations: Float32Array.from(clip.rotations),
-    contacts,
-  };
+  const chunk = wholeChunk(clip, contacts);
   return { plan, quality: measureMotion(skeleton, [chunk], clip.frames, plan, []) };
 }
 
@@ -217,13 +213,7 @@ describe("stones in scenes", () => {
     });
     const { plan, clip, contacts } = planStones(parseScene({ version: 1, stones, terrain }), library);
     expect(plan.warnings).toEqual([]);
-    const chunk = {
-      first: 0,
-      frames: clip.frames,
-      root: Float32Array.from(clip.root),
-      rotations: Float32Array.from(clip.rotations),
-      contacts,
-    };
+    const chunk = wholeChunk(clip, contacts);
     const { soles } = motionPoints(skeleton, [chunk], clip.frames);
     const [nx, nz] = groundNormal(terrain, 0, 0);
     const ny = Math.sqrt(1 - nx * nx - nz * nz);

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { beginSynthesis, synthesiseClip } from "../../src/core/motion/synthesise.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
 import { defaultScene } from "../../src/core/scene/default-scene.ts";
@@ -38,13 +39,7 @@ function quality(scene: Scene, plan: Plan) {
   const goals = goalsOf(scene);
   const synthesis = beginSynthesis(fitted, skeleton, plan, goals, new Map());
   const clip = synthesiseClip(synthesis, "x");
-  const chunk = {
-    first: 0,
-    frames: clip.frames,
-    root: Float32Array.from(clip.root),
-    rotations: Float32Array.from(clip.rotations),
-    contacts: synthesis.track.contacts,
-  };
+  const chunk = wholeChunk(clip, synthesis.track.contacts);
   return measureMotion(skeleton, [chunk], clip.frames, plan, goals);
 }
 

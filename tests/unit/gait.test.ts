@@ -1,5 +1,7 @@
 /** The studio's gaits beside averages of real walkers: curves, rhythm, excursions; the seven styles tell apart. */
+
 import { describe, expect, it } from "vitest";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { type GaitAnalysis, measureGait } from "../../src/core/quality/gait.ts";
 import { motionPoints } from "../../src/core/quality/measure.ts";
 import { DEFAULT_PROPORTIONS, REFERENCE_HEIGHT } from "../../src/core/skeleton/skeleton.ts";
@@ -35,13 +37,7 @@ function gaitOf(...how: Parameters<typeof walked>): GaitAnalysis {
 
 /** How the pelvis turns in the middle of a performance. */
 function turnOf({ clip, contacts }: Rendered): [number, number] {
-  const chunk = {
-    first: 0,
-    frames: clip.frames,
-    root: Float32Array.from(clip.root),
-    rotations: Float32Array.from(clip.rotations),
-    contacts,
-  };
+  const chunk = wholeChunk(clip, contacts);
   const { joints } = motionPoints(clip.skeleton, [chunk], clip.frames);
   return pelvisTurn(joints, clip.frames, (f) => f >= 0.3 * clip.frames && f < 0.7 * clip.frames);
 }

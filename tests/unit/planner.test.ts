@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import {
   beginSynthesis,
   handResults,
@@ -29,13 +30,7 @@ function run(scene: Scene) {
   const goals = goalsOf(scene);
   const synthesis = beginSynthesis(fitted, skeleton, plan, goals, new Map());
   const clip = synthesiseClip(synthesis, "x");
-  const chunk = {
-    first: 0,
-    frames: clip.frames,
-    root: Float32Array.from(clip.root),
-    rotations: Float32Array.from(clip.rotations),
-    contacts: synthesis.track.contacts,
-  };
+  const chunk = wholeChunk(clip, synthesis.track.contacts);
   return {
     plan,
     clip,

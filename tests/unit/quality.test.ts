@@ -1,6 +1,7 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import { lowPass, thirdDerivative } from "../../src/core/math/low-pass.ts";
 import { quatFromAxisAngle, quatMultiply } from "../../src/core/math/quaternion.ts";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { beginSynthesis, synthesiseClip } from "../../src/core/motion/synthesise.ts";
 import type { MotionChunk } from "../../src/core/motion/types.ts";
 import { checkClaims } from "../../src/core/quality/claims.ts";
@@ -27,13 +28,7 @@ beforeAll(() => {
   plan = planScene(scene, library, skeleton);
   const synthesis = beginSynthesis(library, skeleton, plan, goals, new Map());
   const clip = synthesiseClip(synthesis, "default");
-  whole = {
-    first: 0,
-    frames: clip.frames,
-    root: Float32Array.from(clip.root),
-    rotations: Float32Array.from(clip.rotations),
-    contacts: synthesis.track.contacts,
-  };
+  whole = wholeChunk(clip, synthesis.track.contacts);
 });
 
 const changed = (change: (chunk: MotionChunk) => void): MotionChunk => {

@@ -1,9 +1,11 @@
 /** Paths with style [Express]: loops from samples, blends, and walks along paths. */
+
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { beforeAll, describe, expect, it } from "vitest";
 import { writeBvh } from "../../src/core/capture/bvh-write.ts";
 import { importBvh } from "../../src/core/capture/import.ts";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
 import { readScene } from "../../src/core/scene/schema.ts";
 import type { Scene } from "../../src/core/scene/types.ts";
@@ -41,13 +43,7 @@ function walk(points: number[][], styles: Painted = [], smooth = true): PathPlan
 
 function qualityOf({ plan, motion }: PathPlan) {
   const { clip, contacts } = motion;
-  const chunk = {
-    first: 0,
-    frames: clip.frames,
-    root: Float32Array.from(clip.root),
-    rotations: Float32Array.from(clip.rotations),
-    contacts,
-  };
+  const chunk = wholeChunk(clip, contacts);
   return measureMotion(skeleton, [chunk], clip.frames, plan, []);
 }
 

@@ -3,6 +3,7 @@ import { basename } from "node:path";
 import { describe, expect, it } from "vitest";
 import { importBvh } from "../../src/core/capture/import.ts";
 import { wrapAngle } from "../../src/core/math/angle.ts";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { beginSynthesis, synthesiseClip } from "../../src/core/motion/synthesise.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
 import { parseScene } from "../../src/core/scene/schema.ts";
@@ -42,15 +43,7 @@ describe.skipIf(!hasShared)("captures of people who turn", () => {
       const clip = synthesiseClip(synthesis, "turn");
       const quality = measureMotion(
         skeleton,
-        [
-          {
-            first: 0,
-            frames: clip.frames,
-            root: Float32Array.from(clip.root),
-            rotations: Float32Array.from(clip.rotations),
-            contacts: synthesis.track.contacts,
-          },
-        ],
+        [wholeChunk(clip, synthesis.track.contacts)],
         clip.frames,
         plan,
         goals,

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { bakeLibrary } from "../../src/core/blending/library.ts";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { planWhole, runsOf } from "../../src/core/motion/whole-scene.ts";
 import { measureMotion } from "../../src/core/quality/measure.ts";
 import { parseScene } from "../../src/core/scene/schema.ts";
@@ -88,13 +89,7 @@ describe("a scene of tasks and paths", () => {
     expect(nearest).toBeLessThan(0.35);
     const lands = plan.steps.map((s) => s.land);
     expect([...lands].sort((a, b) => a - b)).toEqual(lands);
-    const chunk = {
-      first: 0,
-      frames: clip.frames,
-      root: Float32Array.from(clip.root),
-      rotations: Float32Array.from(clip.rotations),
-      contacts,
-    };
+    const chunk = wholeChunk(clip, contacts);
     const quality = measureMotion(skeleton, [chunk], clip.frames, plan, goalsOf(whole));
     expect(quality.skate).toBeLessThan(4);
     expect(quality.reach).toBeLessThan(5);

@@ -1,9 +1,11 @@
 /** `plan`: scenes into footsteps and whole motions; a result is planned anew and laid beside the new plan. */
+
 import { fileURLToPath } from "node:url";
 import { type BlendLibrary, bakeLibrary } from "../../core/blending/library.ts";
 import { ownCycle, withOwnCycles } from "../../core/blending/own-cycles.ts";
 import type { CyclicSource } from "../../core/blending/types.ts";
 import { writeBvh } from "../../core/capture/bvh-write.ts";
+import { wholeChunk } from "../../core/motion/chunk.ts";
 import type { SwingCache } from "../../core/motion/synthesise.ts";
 import { planWhole } from "../../core/motion/whole-scene.ts";
 import { type Beside, besidePerformance } from "../../core/quality/footstep-distance.ts";
@@ -128,13 +130,7 @@ export const planCommand = {
           cache: character.cache,
         }),
       );
-      const chunk = {
-        first: 0,
-        frames: clip.frames,
-        root: Float32Array.from(clip.root),
-        rotations: Float32Array.from(clip.rotations),
-        contacts,
-      };
+      const chunk = wholeChunk(clip, contacts);
       const quality = measureMotion(skeleton, [chunk], clip.frames, plan, goalsOf(scene));
       writeOutput(to[i], `${JSON.stringify(resultDocument(scene, plan, contacts, quality))}\n`);
       const bvh = many ? to[i].replace(/\.json$/, ".bvh") : one(o, "bvh");

@@ -187,15 +187,23 @@ export function easeAnkle(b: Batch, i: number, side: number, bend: number): bool
 /** Likewise of a foot in the air: it gives way itself. */
 const MOST_BEND_IN_AIR = 0.72;
 
-/** Lets a foot in the air hang where the ankle would bend beyond its range. See `easeAnkle`. */
+/**
+ * Lets a foot in the air hang where the ankle would bend beyond its range.
+ *
+ * @param bend as in `easeAnkle`. @returns whether the foot wanted has changed: the leg is then closed again.
+ */
 export function easeAirborne(b: Batch, i: number, side: number, bend: number): boolean {
   const over = (bend - MOST_BEND_IN_AIR) / BEND_SOFT;
   if (over < -3) return false;
   const half = (BEND_SOFT * Math.log1p(Math.exp(Math.min(over, 20)))) / 2;
   const q = STATE * i + FOOT + FOOT_STATE * side + ANKLE + 3;
   const s = b.state;
-  const [x, y, z, w] = [s[q], s[q + 1], s[q + 2], s[q + 3]];
-  const [sin, cos] = [Math.sin(half), Math.cos(half)];
+  const x = s[q];
+  const y = s[q + 1];
+  const z = s[q + 2];
+  const w = s[q + 3];
+  const sin = Math.sin(half);
+  const cos = Math.cos(half);
   s[q] = x * cos + w * sin;
   s[q + 1] = y * cos + z * sin;
   s[q + 2] = z * cos - y * sin;

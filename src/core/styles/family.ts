@@ -83,6 +83,7 @@ export function buildFamily(
     }
   }
   const rise = new Float64Array(n);
+  const height = new Float64Array(n);
   for (let m = 0; m <= members; m++) {
     const c = 1 - m / 100;
     const roll = 0.3 + 0.7 * c;
@@ -111,15 +112,10 @@ export function buildFamily(
       rise[f] = sum / weight;
     }
     softenCircle(rise, n, 4);
-    // Who takes shorter steps in the same time also bounces less.
-    let mean = 0;
-    for (let f = 0; f < n; f++) {
-      if (m === 0) rise[f] = 0;
-      rise[f] += loop.rows[ROW * f + 2];
-      mean += rise[f] / n;
-    }
-    for (let f = 0; f < n; f++)
-      family.rows[(m * n + f) * MEMBER_ROW + 1] = m === 0 ? rise[f] : mean + c * (rise[f] - mean);
+    // Who takes shorter steps in the same time also bounces less. The loop itself has nothing to make up for.
+    for (let f = 0; f < n; f++) height[f] = loop.rows[ROW * f + 2] + (m === 0 ? 0 : rise[f]);
+    const mean = height.reduce((a, b) => a + b, 0) / n;
+    for (let f = 0; f < n; f++) family.rows[(m * n + f) * MEMBER_ROW + 1] = mean + c * (height[f] - mean);
     onMember(m, members);
   }
   return family;
