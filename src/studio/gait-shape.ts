@@ -46,12 +46,23 @@ export interface GaitShape {
   pelvisTilt: number;
   /** Trunk's lean beyond upright, degrees. */
   lean: number;
-  /** Degrees: the chest's counter-turn; the arm's swing and mean, the elbow's mean and swing. */
+  /**
+   * What goes with the stride, degrees; lags in radians of the stride, after the strike of the own side: the chest's counter-turn;
+   * the upper arm forwards and outwards; the elbow's flexion and its second harmonic.
+   */
   chestYaw: number;
-  armSwing: number;
+  chestLag: number;
   armMean: number;
+  armSwing: number;
+  armLag: number;
+  armOut: number;
+  armOpen: number;
+  armOpenLag: number;
   elbowMean: number;
   elbowSwing: number;
+  elbowLag: number;
+  elbowTwice: number;
+  elbowTwiceLag: number;
 }
 
 /** Weighted mean of two shapes. */

@@ -104,10 +104,12 @@ const event = v.variant(
 const GAITS = {
   slow: FITTED.walks[0],
   comfortable: FITTED.walks[1],
-  fast: FITTED.walks[2],
+  brisk: FITTED.walks[2],
+  fast: FITTED.walks[3],
   bouncing: BOUNCING,
   jog: FITTED.runs[0],
   run: FITTED.runs[1],
+  fastRun: FITTED.runs[2],
 } as const satisfies Record<string, GaitShape>;
 type GaitName = keyof typeof GAITS;
 const GAIT_NAMES = Object.keys(GAITS) as GaitName[];

@@ -46,7 +46,7 @@ const seesaw = (times: number, amount: number, at: number): PhraseLine[] => [
 
 /** Numbers of steps, durations and what repeats after how many steps as in [Express Table 1]. */
 const SPECS: Record<Style, StyleSpec> = {
-  walking: { pace: { length: 0.655, time: 0.57 }, mood: { swing: 0.755 }, steps: 8 },
+  walking: { pace: { length: 0.655, time: 0.57 }, mood: { swing: 0.715 }, steps: 8 },
   jogging: { pace: { length: 0.84, time: 0.39, stance: 0.43, width: 0.09 }, mood: { lean: 5 }, steps: 14 },
   // Up on the toes, chest out; every second stride the arms fly up.
   excited: {
@@ -92,9 +92,9 @@ const SPECS: Record<Style, StyleSpec> = {
     phrase: {
       strides: 3,
       lines: [
-        ...seesaw(4, 15, 0.2),
-        ...seesaw(5, 13, 0.2),
-        ...seesaw(7, 7, 0.2),
+        ...seesaw(4, 16.5, 0.2),
+        ...seesaw(5, 14.5, 0.2),
+        ...seesaw(7, 7.5, 0.2),
         ...seesaw(12, 2, 0.2),
         ...seesaw(17, 1, 0.2),
         { part: "tip", times: 4, amount: -2.4, at: 0.18 },
@@ -140,7 +140,7 @@ const SPECS: Record<Style, StyleSpec> = {
   energetic: {
     pace: { length: 0.72, time: 0.475, stance: 0.62 },
     mood: {
-      swing: 1.56,
+      swing: 1.5,
       elbow: 91,
       armsForward: 13,
       twist: 1.25,
@@ -158,7 +158,7 @@ const SPECS: Record<Style, StyleSpec> = {
     mood: {
       lean: 13,
       head: 20,
-      swing: 0.82,
+      swing: 0.875,
       elbow: -8,
       armsForward: 0,
       crouch: 0.025,

@@ -12,12 +12,10 @@ import { paceOf, steadyFrames } from "../../src/core/quality/kind.ts";
 import { motionPoints } from "../../src/core/quality/measure.ts";
 import { jerkRatios } from "../../src/core/quality/smoothness.ts";
 import { J, JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
-import { DEFAULT_PROPORTIONS, REFERENCE_HEIGHT } from "../../src/core/skeleton/skeleton.ts";
 import type { Plan } from "../../src/core/tasks/plan-types.ts";
-import { straightScore } from "../../src/studio/choreography/straight.ts";
 import type { GaitShape } from "../../src/studio/gait-shape.ts";
-import { renderWorkings } from "../../src/studio/render.ts";
-import { curveShares, pelvisTurn } from "../support/gait-real.ts";
+import { curveShares, type StrideSwings, type Swing, strideSwings } from "../support/gait-real.ts";
+import { middleOf, perform } from "./perform.ts";
 import { RECIPES, type Recipe, targetOf } from "./recipes.ts";
 
 /** Keys that are fitted and how far each may sensibly go: the scale of its step and of its prior. */
@@ -50,11 +48,20 @@ const USUAL: [number, number][] = [
 
 /** Widths of the differences, in each number's scale: where one finds no way down, the next does, past ripples of the knees' limits. */
 const STEPS = [0.15, 0.4, 0.05];
-/** Least lean of a runner's trunk, degrees. */
-const RUNNER_LEAN = 3;
 /** Jerk that costs nothing, over real walkers' median, and how much more does. */
 const LIKE_REAL = 0.9;
 const JERK_WEIGHT = 2.5;
+
+/** The pelvis's part of the chest's lean. */
+const PELVIS_PART = 0.5;
+/** Where a shape keeps each swing: its mean, amount and lag. */
+const SWING_KEYS = {
+  chest: [null, "chestYaw", "chestLag"],
+  arm: ["armMean", "armSwing", "armLag"],
+  out: ["armOut", "armOpen", "armOpenLag"],
+  elbow: ["elbowMean", "elbowSwing", "elbowLag"],
+  twice: [null, "elbowTwice", "elbowTwiceLag"],
+} as const;
 
 interface Slot {
   key: keyof GaitShape;
@@ -95,34 +102,21 @@ interface Look {
   /** Per joint, over the usual. */
   turning: number[];
   balance: number;
-  /** Jerk of hands, feet, head and hips over real walkers' at the speed. */
-  jerk: number[];
-  /** Turning of the pelvis with the stride, and a quarter of a stride later, degrees: its first harmonic. */
-  pelvis: [number, number];
+  /** By name: jerk of hands, feet, head and hips over real walkers' at the speed. */
+  jerk: Map<string, number>;
+  swings: StrideSwings;
   /** How much the hips had to give way for the knees, root mean square, metres. */
   raise: number;
 }
 
 function look(recipe: Recipe, shape: GaitShape): Look | null {
-  const { clip, contacts, raise } = renderWorkings(
-    straightScore({
-      name: "fit",
-      seed: 1,
-      actor: {
-        height: REFERENCE_HEIGHT,
-        proportions: DEFAULT_PROPORTIONS,
-        pace: { ...recipe.pace, noise: 0.3 },
-        shape,
-      },
-      steps: 12,
-    }),
-  );
+  const { clip, contacts, raise } = perform(recipe, shape, 12);
   const gait = measureGait(clip, contacts);
   if (!gait) return null;
   const turning = USUAL.map(([joint, usual]) => {
     let most = 0;
     const q = clip.rotations;
-    for (let f = 60; f < clip.frames - 90; f++) {
+    for (let f = 60; f < clip.frames - (recipe.gains ? 6 : 90); f++) {
       let s = 0;
       const w = (a: number, b: number, k: number) => {
         // Small rotation between two frames, component k of twice the vector part of conj(a) b.
@@ -170,11 +164,48 @@ function look(recipe: Recipe, shape: GaitShape): Look | null {
   return {
     gait,
     turning,
-    jerk: [...jerk.values()],
-    pelvis: pelvisTurn(points.joints, clip.frames, (f) => going[f] === 1),
+    jerk,
+    swings: strideSwings(points.joints, clip.frames, middleOf(clip.frames)),
     raise: Math.sqrt(given / Math.max(1, count)),
     balance: balanceShares(points, clip.skeleton, nothing, [], [level, level]).near ?? 0,
   };
+}
+
+/** Difference of two swings as vectors, degrees. */
+const apart = ([, a, x]: Swing, [, b, y]: Swing): [number, number] => [
+  a * Math.cos(x) - b * Math.cos(y),
+  a * Math.sin(x) - b * Math.sin(y),
+];
+
+/**
+ * The shape with chest and arms set so that they are seen to swing as the recipe says: what is seen differs from what is set by
+ * little and evenly, so a few corrections settle it.
+ */
+function settleSwings(recipe: Recipe, shape: GaitShape): GaitShape {
+  const set: Record<string, number> = {};
+  for (const name of ["chest", "arm", "out", "elbow", "twice"] as const) {
+    const [mean, swing, lag] = SWING_KEYS[name];
+    if (mean) set[mean] = shape[mean];
+    set[swing] = shape[swing];
+    set[lag] = shape[lag];
+  }
+  for (let round = 0; round < 5; round++) {
+    const seen = look(recipe, { ...shape, ...set })?.swings;
+    if (!seen) throw new Error("no steady cycle");
+    for (const name of ["chest", "arm", "out", "elbow", "twice"] as const) {
+      const [mean, swing, lag] = SWING_KEYS[name];
+      const aim = recipe.swings[name];
+      if (mean) set[mean] += aim[0] - seen[name][0];
+      const [c, s] = apart(aim, seen[name]);
+      const x = set[swing] * Math.cos(set[lag]) + c;
+      const y = set[swing] * Math.sin(set[lag]) + s;
+      set[swing] = Math.hypot(x, y);
+      const turn = Math.atan2(y, x);
+      // Lags about half a turn, where most are, do not wrap, so that two shapes can be blended.
+      set[lag] = name === "twice" || turn >= 0 ? turn : turn + 2 * Math.PI;
+    }
+  }
+  return { ...shape, ...set };
 }
 
 function residuals(recipe: Recipe, shape: GaitShape, x: Float64Array): number[] | null {
@@ -190,20 +221,24 @@ function residuals(recipe: Recipe, shape: GaitShape, x: Float64Array): number[] 
       );
   }
   const f = seen.gait.facts;
-  out.push((0.8 * (100 * f.pelvisVertical - target.pelvis_vertical_excursion_cm.mean)) / 0.5);
-  out.push((0.3 * (100 * f.pelvisLateral - target.pelvis_lateral_excursion_cm.mean)) / 1.2);
-  out.push((0.8 * Math.min(0, 100 * f.tipClearance - target.swing_min_tip_clearance_cm.mean)) / 0.3);
-  out.push((0.3 * (100 * f.toeLift - target.swing_max_toe_joint_lift_cm.mean)) / 1.5);
+  const off = (ours: number, real: { mean: number; sd: number }, least: number) =>
+    (ours - real.mean) / Math.max(least, 0.7 * real.sd);
+  out.push(0.8 * off(100 * f.pelvisVertical, target.pelvis_vertical_excursion_cm, 0.5));
+  out.push(0.3 * off(100 * f.pelvisLateral, target.pelvis_lateral_excursion_cm, 1.2));
+  out.push(0.8 * Math.min(0, off(100 * f.tipClearance, target.swing_min_tip_clearance_cm, 0.3)));
+  out.push(0.3 * off(100 * f.toeLift, target.swing_max_toe_joint_lift_cm, 1.5));
   for (const t of seen.turning) out.push(1.5 * Math.max(0, t - 1));
-  for (const j of seen.jerk)
-    out.push(JERK_WEIGHT * Math.log(Math.max(1, j / (LIKE_REAL * (recipe.jerk ?? 1)))));
+  // The hands' is the arms', which are set.
+  for (const [end, j] of seen.jerk)
+    if (!end.includes("Hand"))
+      out.push(JERK_WEIGHT * Math.log(Math.max(1, j / (LIKE_REAL * (recipe.jerk ?? 1)))));
   out.push(0.5 * (seen.raise / 0.003));
-  // Runners lean into their way; the curves, told against the pelvis, do not say so.
-  if (recipe.run) out.push(0.5 * Math.max(0, RUNNER_LEAN - shape.lean));
+  // The curves, told against the vertical, would have the trunk lean back to bring the hips ahead.
+  out.push((0.8 * (f.trunkLean - recipe.trunk)) / 1.5);
   // The curves do not tell how the pelvis turns, and would have it do the legs' work.
-  const [turn, lag] = recipe.pelvis;
-  out.push((0.5 * (seen.pelvis[0] - turn * Math.cos(lag))) / 1.5);
-  out.push((0.5 * (seen.pelvis[1] - turn * Math.sin(lag))) / 1.5);
+  for (const d of apart(seen.swings.pelvis, recipe.swings.pelvis)) out.push((0.5 * d) / 1.5);
+  // Nor what the pelvis does under the trunk: it takes its part of the lean, with no hollow and no round back.
+  out.push((0.5 * (shape.pelvisTilt - PELVIS_PART * shape.lean)) / 2);
   if (!recipe.run) out.push(8 * Math.max(0, (recipe.balance ?? 0.9) - seen.balance));
   const rough = (keys: readonly number[], scale: number, period: boolean) => {
     const n = keys.length;
@@ -259,7 +294,11 @@ function report(recipe: Recipe, shape: GaitShape): string {
     return `${joint} ${s.once.toFixed(2)}/${s.twice.toFixed(2)} rms ${s.rms.toFixed(1)}`;
   });
   const f = seen.gait.facts;
-  return `${rows.join(", ")}; turning ${seen.turning.map((t) => t.toFixed(2)).join(" ")}; balance ${seen.balance.toFixed(2)}; vertical ${(100 * f.pelvisVertical).toFixed(1)}, lateral ${(100 * f.pelvisLateral).toFixed(1)}, clearance ${(100 * f.tipClearance).toFixed(1)}, toe lift ${(100 * f.toeLift).toFixed(1)}, raise ${(1000 * seen.raise).toFixed(1)} mm, jerk ${seen.jerk.map((j) => j.toFixed(2)).join(" ")}, stance ${f.stance.toFixed(2)}, pelvis ${Math.hypot(...seen.pelvis).toFixed(1)} at ${Math.atan2(seen.pelvis[1], seen.pelvis[0]).toFixed(2)}`;
+  return `${rows.join(", ")}; turning ${seen.turning.map((t) => t.toFixed(2)).join(" ")}; balance ${seen.balance.toFixed(2)}; vertical ${(100 * f.pelvisVertical).toFixed(1)}, lateral ${(100 * f.pelvisLateral).toFixed(1)}, clearance ${(100 * f.tipClearance).toFixed(1)}, toe lift ${(100 * f.toeLift).toFixed(1)}, raise ${(1000 * seen.raise).toFixed(1)} mm, jerk ${[...seen.jerk.values()].map((j) => j.toFixed(2)).join(" ")}, stance ${f.stance.toFixed(2)}, trunk ${f.trunkLean.toFixed(1)}, ${Object.entries(
+    seen.swings,
+  )
+    .map(([k, [m, a, l]]) => `${k} ${m.toFixed(0)} + ${a.toFixed(1)} at ${l.toFixed(2)}`)
+    .join(", ")}`;
 }
 
 export async function main(args: string[]): Promise<number> {
@@ -269,11 +308,12 @@ export async function main(args: string[]): Promise<number> {
     return 2;
   }
   const rounds = Number(args[1] ?? 10);
-  const slots = slotsOf(recipe.start, recipe.run ?? false);
+  const start = settleSwings(recipe, recipe.start);
+  const slots = slotsOf(start, recipe.run ?? false);
   let x = new Float64Array(slots.length);
-  let r = residuals(recipe, recipe.start, x);
+  let r = residuals(recipe, start, x);
   if (!r) throw new Error("The start has no steady cycle.");
-  console.error(`start ${cost(r).toFixed(2)}: ${report(recipe, recipe.start)}`);
+  console.error(`start ${cost(r).toFixed(2)}: ${report(recipe, start)}`);
   let damp = 0.1;
   let width = 0;
   let failed = 0;
@@ -283,7 +323,7 @@ export async function main(args: string[]): Promise<number> {
       const at = (d: number) => {
         const y = Float64Array.from(x);
         y[k] += d;
-        return residuals(recipe, withValues(recipe.start, slots, y), y);
+        return residuals(recipe, withValues(start, slots, y), y);
       };
       const [ahead, behind] = [at(step), at(-step)];
       return ahead && behind
@@ -296,7 +336,7 @@ export async function main(args: string[]): Promise<number> {
     for (let attempt = 0; attempt < 6 && !better; attempt++) {
       const d = solve(normal, slope, damp);
       const y = x.map((v, k) => v + Math.max(-1.5, Math.min(1.5, d[k])));
-      const moved = residuals(recipe, withValues(recipe.start, slots, y), y);
+      const moved = residuals(recipe, withValues(start, slots, y), y);
       if (moved && cost(moved) < cost(r) - 1e-4) {
         x = y;
         r = moved;
@@ -304,7 +344,7 @@ export async function main(args: string[]): Promise<number> {
         damp = Math.max(1e-3, damp / 3);
       } else damp *= 4;
     }
-    const shape = withValues(recipe.start, slots, x);
+    const shape = withValues(start, slots, x);
     console.error(
       `round ${round + 1} ${cost(r).toFixed(2)} damp ${damp.toFixed(3)}: ${report(recipe, shape)}`,
     );
@@ -315,7 +355,8 @@ export async function main(args: string[]): Promise<number> {
       damp = 0.1;
     }
   }
-  const final = withValues(recipe.start, slots, x);
+  const final = settleSwings(recipe, withValues(start, slots, x));
+  console.error(`settled: ${report(recipe, final)}`);
   console.log(JSON.stringify(final, (_, v) => (typeof v === "number" ? Math.round(v * 1e4) / 1e4 : v)));
   return 0;
 }

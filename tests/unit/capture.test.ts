@@ -6,12 +6,15 @@ import { writeBvh } from "../../src/core/capture/bvh-write.ts";
 import { importBvh } from "../../src/core/capture/import.ts";
 import { mirrorClip } from "../../src/core/capture/mirror.ts";
 import { mapJoints } from "../../src/core/capture/names.ts";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
+import { motionPoints } from "../../src/core/quality/measure.ts";
 import { poppingOf } from "../../src/core/quality/smoothness.ts";
 import { forwardKinematics } from "../../src/core/skeleton/forward-kinematics.ts";
 import { J, JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
 import { prepareClip } from "../../src/core/templates/build-library.ts";
 import { renderScore } from "../../src/studio/render.ts";
 import { studioSet } from "../../src/studio/set.ts";
+import { strideSwings } from "../support/gait-real.ts";
 import { captures, hasShared } from "../support/shared.ts";
 
 const short = renderScore(studioSet().find((s) => s.name === "turn-about")!.score).clip;
@@ -23,8 +26,16 @@ const small = {
 };
 const text = writeBvh(small);
 
+/** From a joint to the next down the limb. */
+const bone = (at: Float64Array, joint: number) =>
+  [0, 1, 2].map((k) => at[3 * (joint + 1) + k] - at[3 * joint + k]);
+const angleBetween = (u: readonly number[], v: readonly number[]) => {
+  const cos = u.reduce((s, x, k) => s + x * v[k], 0) / (Math.hypot(...u) * Math.hypot(...v));
+  return (Math.acos(Math.min(1, cos)) * 180) / Math.PI;
+};
+
 describe("BVH", () => {
-  it("writes and reads back every joint within 1e-5 m", () => {
+  it("writes and reads back feet and knees within 4 mm, and the bones of the arms within half a degree", () => {
     const file = parseBvh(text, "x.bvh");
     expect(file.frames).toBe(40);
     expect(file.joints.map((j) => j.name)).toContain("leftToes");
@@ -44,8 +55,10 @@ describe("BVH", () => {
         back.clip.rotations,
         4 * JOINT_COUNT * f,
       );
-      for (const j of [J.leftFoot, J.rightFoot])
+      for (const j of [J.leftFoot, J.rightFoot, J.leftLowerLeg, J.rightLowerLeg])
         for (let k = 0; k < 3; k++) expect(Math.abs(a[3 * j + k] - b[3 * j + k])).toBeLessThan(0.004);
+      for (const j of [J.leftUpperArm, J.leftLowerArm, J.rightUpperArm, J.rightLowerArm])
+        expect(angleBetween(bone(a, j), bone(b, j)), `joint ${j}, frame ${f}`).toBeLessThan(0.5);
     }
   });
 
@@ -153,5 +166,21 @@ describe.skipIf(!hasShared)("real captures", () => {
         expect(prepareClip({ name: "c", clip, tasks: [] }).steps.length, path).toBeGreaterThan(1);
     }
     expect(files).toBeGreaterThan(80);
+  });
+
+  it("arms swing as the file's do: whoever runs bends the elbows and swings them past the hips", () => {
+    const runs = captures().filter((path) => /dataset-2_run_normal/.test(path));
+    expect(runs).toHaveLength(3);
+    for (const path of runs) {
+      const { clip } = importBvh(readFileSync(path, "utf8"), path);
+      const { joints } = motionPoints(
+        clip.skeleton,
+        [wholeChunk(clip, new Uint8Array(clip.frames))],
+        clip.frames,
+      );
+      const { arm, elbow } = strideSwings(joints, clip.frames, (f) => f >= 8 && f < clip.frames - 8);
+      expect(arm[1], path).toBeGreaterThan(30);
+      expect(elbow[0], path).toBeGreaterThan(80);
+    }
   });
 });

@@ -240,7 +240,7 @@ describe("motion quality", () => {
     const speed = Math.exp(0.0651 / 1.3089);
     expect(jerkRatio(joints, n, 60, 0.84, "walk", speed)).toBeCloseTo(1, 1);
     const speeds = Float64Array.from({ length: n }, (_, f) => (f > 100 && f < 500 ? 1 : 0));
-    const going = steadyFrames({ kind: "walk", speed: 1, speeds }, 60);
+    const going = steadyFrames({ kind: "walk", first: 0, last: speeds.length - 1, speed: 1, speeds }, 60);
     expect(going[110]).toBe(0);
     expect(going[300]).toBe(1);
     expect(going[490]).toBe(0);

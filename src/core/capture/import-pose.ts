@@ -1,8 +1,8 @@
 /** Our skeleton posed like a file's joints: bones take their directions, knees and elbows bend in their planes, ankles stand on theirs. */
 import { quatFromBasis, solveLeg } from "../ik/leg.ts";
-import { solveTwoBone } from "../ik/two-bone.ts";
 import { unit } from "../math/interpolate.ts";
 import {
+  quatBetween,
   quatFromAxisAngle,
   quatFromYawPitchRoll,
   quatInverseMultiply,
@@ -78,7 +78,7 @@ export function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibr
   const positions = new Float64Array(3 * JOINT_COUNT);
   const rotations = new Float64Array(4 * JOINT_COUNT);
   const q = new Float64Array(24);
-  const v = new Float64Array(12);
+  const v = new Float64Array(3);
   const basis = (o: number, left: Float64Array, up: Float64Array) => {
     // +X along `left`, +Y as near to `up` as that allows.
     const n = Math.hypot(left[0], left[1], left[2]) || 1;
@@ -214,37 +214,31 @@ export function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibr
       if (ua === undefined || la === undefined || ha === undefined) continue;
       const upper = side === 0 ? J.leftUpperArm : J.rightUpperArm;
       const sign = side === 0 ? 1 : -1;
-      const length = Math.abs(skeleton.offsets[3 * (upper + 1)]);
-      const lower = Math.abs(skeleton.offsets[3 * (upper + 2)]);
-      const du = sub(at, la, ua);
-      const dl = sub(at, ha, la);
-      const nu = Math.hypot(du[0], du[1], du[2]) || 1;
-      const nl = Math.hypot(dl[0], dl[1], dl[2]) || 1;
-      // Put the arm as it hangs first, so that its twist is a person's.
-      quatFromAxisAngle(q, 20, 0, 0, 1, -sign * 1.4);
-      for (let k = 0; k < 4; k++) pose[4 * upper + k] = q[20 + k];
-      forwardKinematics(positions, rotations, skeleton, root, o, pose, 0);
-      const e = [0, 1, 2].map((k) => positions[3 * upper + k] + (du[k] / nu) * length);
-      const h = [0, 1, 2].map((k) => e[k] + (dl[k] / nl) * lower);
-      // The elbow is where the capture has it: the hint is exact.
-      for (let k = 0; k < 3; k++) v[6 + k] = e[k] - (positions[3 * upper + k] + h[k]) / 2;
-      for (let k = 0; k < 3; k++) positions[3 * (upper + 1) + k] = e[k];
-      solveTwoBone(
-        pose,
-        0,
-        positions,
-        rotations,
-        upper - 1,
-        upper,
-        upper + 1,
-        upper + 2,
-        skeleton.offsets,
-        h[0],
-        h[1],
-        h[2],
-        v,
-        6,
-      );
+      // The arm as it hangs, then upper arm and forearm each the shortest way to where the file's point: a person's twist.
+      quatFromAxisAngle(pose, 4 * upper, 0, 0, 1, -sign * 1.4);
+      const parts: [number, Float64Array][] = [
+        [upper, sub(at, la, ua)],
+        [upper + 1, sub(at, ha, la)],
+      ];
+      for (const [bone, along] of parts) {
+        const far = Math.hypot(along[0], along[1], along[2]);
+        if (far < 1e-6) continue;
+        forwardKinematics(positions, rotations, skeleton, root, o, pose, 0);
+        const now = sub(positions, bone + 1, bone);
+        const length = Math.hypot(now[0], now[1], now[2]);
+        quatBetween(
+          q,
+          20,
+          now[0] / length,
+          now[1] / length,
+          now[2] / length,
+          along[0] / far,
+          along[1] / far,
+          along[2] / far,
+        );
+        quatMultiply(q, 20, q, 20, rotations, 4 * bone);
+        quatInverseMultiply(pose, 4 * bone, rotations, 4 * (bone - 1), q, 20);
+      }
     }
   };
 }

@@ -48,6 +48,8 @@ export interface GaitFacts {
   tipClearance: number;
   /** Foot's yaw against the way, outwards, degrees. */
   toeOut: number;
+  /** Lean of the line from the hips to the neck, forwards, degrees. */
+  trunkLean: number;
   /** Forward swing of the upper arm from its hindmost to its foremost, and the elbow's range, degrees. */
   armRange: number;
   elbowRange: number;
@@ -236,6 +238,7 @@ function factsOf(clip: Clip, places: Places, contacts: ContactTrack, c: Cycle): 
   let right = Number.NEGATIVE_INFINITY;
   let height = 0;
   let lift = 0;
+  let trunk = 0;
   let clearance = Number.POSITIVE_INFINITY;
   const arm = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   const elbow = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
@@ -256,6 +259,7 @@ function factsOf(clip: Clip, places: Places, contacts: ContactTrack, c: Cycle): 
       const x = along(f, b) - along(f, a);
       return Math.atan2(x, at(f, a, 1) - at(f, b, 1));
     };
+    trunk -= (lean(J.neck, J.hips) * DEG) / n;
     const swing = lean(upper, upper + 1) * DEG;
     arm[0] = Math.min(arm[0], swing);
     arm[1] = Math.max(arm[1], swing);
@@ -295,6 +299,7 @@ function factsOf(clip: Clip, places: Places, contacts: ContactTrack, c: Cycle): 
     toeLift: lift,
     tipClearance: Number.isFinite(clearance) ? clearance : 0,
     toeOut: out * DEG,
+    trunkLean: trunk,
     armRange: arm[1] - arm[0],
     elbowRange: elbow[1] - elbow[0],
   };

@@ -5,11 +5,17 @@ import type { MotionKind } from "./real-reference.ts";
 
 export interface MotionPace {
   kind: MotionKind;
-  /** Mean speed of the hips over the ground, m/s. */
+  /** From the first frame in which the hips move to the last: what is stood before and after says nothing of the kind. */
+  first: number;
+  last: number;
+  /** Mean speed of the hips over the ground from `first` to `last`, m/s. */
   speed: number;
   /** The hips' speed in each frame, m/s, after a low-pass of 2 Hz. */
   speeds: Float64Array;
 }
+
+/** Speed of the hips, after the low-pass, from which on somebody moves at all, m/s. */
+const MOVES = 0.1;
 
 /**
  * Walk, run, turn, side step or stand; `all` for what is none of them, or too short (half a second).
@@ -25,7 +31,7 @@ export function paceOf(
   rate: number,
 ): MotionPace {
   const speeds = new Float64Array(frames);
-  if (frames < rate / 2) return { kind: "all", speed: 0, speeds };
+  if (frames < rate / 2) return { kind: "all", first: 0, last: frames - 1, speed: 0, speeds };
   const way = new Float64Array(2 * frames);
   for (let f = 0; f < frames; f++) {
     way[2 * f] = root[3 * f];
@@ -33,24 +39,33 @@ export function paceOf(
   }
   lowPass(way, 0, 2, frames, rate, 2);
   lowPass(way, 1, 2, frames, rate, 2);
+  const velocity = (f: number): [number, number] => {
+    const a = Math.max(0, f - 1);
+    const b = Math.min(frames - 1, f + 1);
+    return [
+      ((way[2 * b] - way[2 * a]) * rate) / (b - a),
+      ((way[2 * b + 1] - way[2 * a + 1]) * rate) / (b - a),
+    ];
+  };
+  for (let f = 0; f < frames; f++) speeds[f] = Math.hypot(...velocity(f));
+  let first = speeds.findIndex((v) => v > MOVES);
+  let last = speeds.findLastIndex((v) => v > MOVES);
+  if (first < 0 || last - first < rate / 2) [first, last] = [0, frames - 1];
+  const n = last + 1 - first;
   let speed = 0;
   let forward = 0;
   let sideways = 0;
   let turned = 0;
-  for (let f = 0; f < frames; f++) {
-    const a = Math.max(0, f - 1);
-    const b = Math.min(frames - 1, f + 1);
-    const vx = ((way[2 * b] - way[2 * a]) * rate) / (b - a);
-    const vz = ((way[2 * b + 1] - way[2 * a + 1]) * rate) / (b - a);
+  for (let f = first; f <= last; f++) {
+    const [vx, vz] = velocity(f);
     const s = Math.sin(yaw[f]);
     const c = Math.cos(yaw[f]);
-    speeds[f] = Math.hypot(vx, vz);
-    speed += speeds[f] / frames;
-    forward += (vx * s + vz * c) / frames;
-    sideways += (vx * c - vz * s) / frames;
-    if (f > 0) turned += wrapAngle(yaw[f] - yaw[f - 1]);
+    speed += speeds[f] / n;
+    forward += (vx * s + vz * c) / n;
+    sideways += (vx * c - vz * s) / n;
+    if (f > first) turned += wrapAngle(yaw[f] - yaw[f - 1]);
   }
-  const degreesPerSecond = (Math.abs(turned) * 180 * rate) / (Math.PI * frames);
+  const degreesPerSecond = (Math.abs(turned) * 180 * rate) / (Math.PI * n);
   const kind = ((): MotionKind => {
     if (speed < 0.25) return degreesPerSecond > 30 ? "turn" : "stand";
     if (Math.abs(sideways) > 0.7 * Math.abs(forward) && Math.abs(sideways) > 0.2) return "sidestep";
@@ -58,7 +73,7 @@ export function paceOf(
     if (forward > 2) return "run";
     return forward > 0.35 ? "walk" : "all";
   })();
-  return { kind, speed, speeds };
+  return { kind, first, last, speed, speeds };
 }
 
 /** Speed that counts as going, m/s, and what is left out after setting off and before stopping, seconds. */

@@ -16,9 +16,10 @@ import {
 import { createRandom } from "../../core/math/random.ts";
 import type { Skeleton } from "../../core/skeleton/skeleton.ts";
 import { shapeOf } from "../gait-shape.ts";
-import { layersOf, moodOf, type Score } from "../score.ts";
+import { layersOf, moodOf, paceOf, type Score } from "../score.ts";
 import type { FootTrack } from "./feet.ts";
 import type { Gait } from "./gait.ts";
+import { addLean } from "./lean.ts";
 import { addPhrase } from "./phrase.ts";
 import { addSingleSteps } from "./single-steps.ts";
 
@@ -56,6 +57,9 @@ const HEIGHT_HARMONICS = 4;
 
 /** Standing: a little under full length. */
 const STANDING_HEIGHT = 0.9945;
+
+/** Upper arm of someone who stands, degrees ahead of the vertical. */
+const HANGING = 2;
 
 /** The walk's own motion of the upper body over the feet. */
 export function renderBody(
@@ -105,7 +109,8 @@ export function renderBody(
     const w = gait.phase[f];
     const e = gait.amount[f];
     b.pelvisYaw[f] = facing[f] + e * mood.twist * -shape.pelvisYaw * DEG * Math.cos(w - shape.pelvisLead);
-    b.chestYaw[f] = at(facing, t + 0.13) + e * mood.twist * shape.chestYaw * DEG * Math.cos(w - 0.25);
+    b.chestYaw[f] =
+      at(facing, t + 0.13) + e * mood.twist * -shape.chestYaw * DEG * Math.cos(w - shape.chestLag);
     b.headYaw[f] = at(look, t) + e * 0.8 * DEG * Math.cos(w);
     b.pelvisPitch[f] =
       0.25 * mood.lean * DEG + e * (shape.pelvisTilt * DEG + 1.6 * DEG * Math.cos(2 * w - 0.3));
@@ -118,16 +123,20 @@ export function renderBody(
       const a = b.arms[side];
       const swing = e * mood.swing;
       a.swing[f] =
-        (shape.armMean + mood.armsForward) * DEG +
-        swing * (-shape.armSwing * DEG * Math.cos(p) + 1.8 * DEG * Math.cos(2 * p)) +
+        ((1 - e) * HANGING + e * shape.armMean + mood.armsForward) * DEG +
+        swing * (shape.armSwing * DEG * Math.cos(p - shape.armLag) + 1.8 * DEG * Math.cos(2 * p)) +
         (side === 0 ? swing * 0.8 * DEG : 0);
       a.elbow[f] =
         mood.elbow * DEG +
         (1 - e) * 15 * DEG +
         e * shape.elbowMean * DEG +
-        swing * (-shape.elbowSwing * DEG * Math.cos(p - 0.19) + 3.4 * DEG * Math.sin(2 * p - 0.9));
-      a.out[f] = (9 + mood.armsOut) * DEG + e * (2 * DEG - 3 * mood.swing * DEG * Math.cos(p));
-      a.turn[f] = 25 * DEG - swing * 10 * DEG * Math.cos(p);
+        swing *
+          (shape.elbowSwing * DEG * Math.cos(p - shape.elbowLag) +
+            shape.elbowTwice * DEG * Math.cos(2 * p - shape.elbowTwiceLag));
+      a.out[f] =
+        ((1 - e) * 9 + e * shape.armOut + mood.armsOut) * DEG +
+        swing * shape.armOpen * DEG * Math.cos(p - shape.armOpenLag);
+      a.turn[f] = 25 * DEG + swing * 10 * DEG * Math.cos(p - shape.armLag);
     }
     // Two half cycles a cycle: the phase counts from left strikes, half cycles from any.
     const half = w / Math.PI;
@@ -138,6 +147,7 @@ export function renderBody(
       scale * (mood.crouch * (0.35 + 0.65 * k) + k * mood.bounce * (0.5 + 0.5 * Math.cos(2 * w - 0.6)));
   }
   addSingleSteps(b, score, facing, gait, skeleton, on.gaze ? gazing(score, frames) : make(), frames);
+  addLean(b, feet, facing, paceOf(score.actor).stance < 0.5, frames);
   if (score.actor.phrase) addPhrase(b, gait, score.actor.phrase);
   if (on.alive) alive(b, score, gait, frames);
   return b;
