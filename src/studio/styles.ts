@@ -47,13 +47,17 @@ const seesaw = (times: number, amount: number, at: number): PhraseLine[] => [
 /** Numbers of steps, durations and what repeats after how many steps as in [Express Table 1]. */
 const SPECS: Record<Style, StyleSpec> = {
   walking: { pace: { length: 0.655, time: 0.57 }, mood: { swing: 0.715 }, steps: 8 },
-  jogging: { pace: { length: 0.84, time: 0.39, stance: 0.43, width: 0.09 }, mood: { lean: 5 }, steps: 14 },
+  jogging: {
+    pace: { length: 0.84, time: 0.39, stance: 0.43, width: 0.09 },
+    mood: { lean: 5, swing: 0.8 },
+    steps: 14,
+  },
   // Up on the toes, chest out; every second stride the arms fly up.
   excited: {
     pace: { length: 0.62, time: 0.5, stance: 0.61 },
     mood: {
       bounce: 0.024,
-      swing: 1.4,
+      swing: 1.08,
       elbow: 40,
       armsOut: 24,
       armsForward: 14,

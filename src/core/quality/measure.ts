@@ -192,9 +192,9 @@ function steadyJerk(points: MotionPoints, pace: MotionPace, leg: number): number
   const count = going.reduce((a, b) => a + b, 0);
   if (count < 60 && pace.kind === "stand") return jerkRatio(joints, frames, 60, leg, "stand", 0);
   const kind = pace.kind === "stand" || pace.kind === "all" ? "walk" : pace.kind;
-  // A few steps, or steps that each come to rest, are never steady: from the first to the last of them, at their mean speed.
+  // A few steps, or steps that each come to rest, are never steady: from the first to the last of them.
   if (count < 60)
-    return jerkRatio(joints, frames, 60, leg, kind, pace.speed, (f) => f >= pace.first && f <= pace.last);
+    return jerkRatio(joints, frames, 60, leg, kind, pace.speeds, (f) => f >= pace.first && f <= pace.last);
   return jerkRatio(joints, frames, 60, leg, kind, pace.speeds, (f) => going[f] === 1);
 }
 

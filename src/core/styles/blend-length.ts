@@ -8,6 +8,11 @@ import { EFFECTOR_COUNT, EFFECTORS, ROW } from "./rows.ts";
 export const FIXED_BLEND = 0.33;
 /** Shortest blend, seconds. */
 const SHORTEST = 0.15;
+/**
+ * How fast a person gains or loses speed without haste, m/s2. Not in the paper: hands that are far apart and travel at very different
+ * speeds, as a jogger's and a balancer's, give a blend in which the whole body would have to stop within half a second.
+ */
+const UNHURRIED = 1.25;
 const RATE = 60;
 
 export const EFFECTOR_NAMES = ["head", "leftHand", "rightHand", "leftFoot", "rightFoot"] as const;
@@ -27,7 +32,8 @@ const rowB = new Float64Array(ROW);
 
 /**
  * Blend length from frame `a` of one loop to frame `b` of another: the largest gap of an end effector over the difference
- * of its mean travel a frame, hips' place and heading removed; held between 0.15 s and one pass of the longer loop.
+ * of its mean travel a frame, hips' place and heading removed; at least 0.15 s and what the body needs from one speed to the other,
+ * at most one pass of the longer loop.
  */
 export function blendLength(from: LoopSequence, a: number, to: LoopSequence, b: number): BlendLength {
   loopRow(rowA, 0, from, a);
@@ -44,7 +50,8 @@ export function blendLength(from: LoopSequence, a: number, to: LoopSequence, b: 
   }
   const pace = Math.abs(from.travel[effector] - to.travel[effector]);
   const longest = Math.max(from.frames, to.frames);
-  const frames = Math.min(longest, Math.max(SHORTEST * RATE, pace > 1e-9 ? gap / pace : longest));
+  const least = RATE * Math.max(SHORTEST, (RATE * Math.abs(from.speed - to.speed)) / UNHURRIED);
+  const frames = Math.min(longest, Math.max(least, pace > 1e-9 ? gap / pace : longest));
   return { frames, effector, gap, pace };
 }
 

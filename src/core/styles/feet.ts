@@ -7,7 +7,7 @@
  */
 import { wrapAngle } from "../math/angle.ts";
 import { smoothstep, softEnvelope } from "../math/interpolate.ts";
-import { contactsOfPitch, heelRests, plantedAnkle } from "../motion/sole.ts";
+import { contactsOfPitch, plantedAnkle } from "../motion/sole.ts";
 import type { FootShape } from "../skeleton/skeleton.ts";
 import type { Foot } from "../steps/types.ts";
 
@@ -138,55 +138,92 @@ export function findPlants(track: FeetTrack): StylePlant[] {
   return plants.sort((a, b) => a.from - b.from || (a.foot < b.foot ? -1 : 1));
 }
 
-/** A heel between these pitches is neither on the ground nor clearly off it, radians: 3.5 and 15 mm at the heel point. */
-const HEEL_DOWN = (-1.2 * Math.PI) / 180;
-const HEEL_OFF = (-4.5 * Math.PI) / 180;
-/** A heel that is there for so many frames hovers: one that is lifted passes through in five. */
-const HEEL_HOVERS = 6;
-/** One off the ground, by 18 mm at most, that turns by less than this a frame (12 cm/s at the heel point), for so many frames, stops; radians. */
-const HEEL_SLOW = 0.0125;
-const HEEL_STILL_OFF = (-5.5 * Math.PI) / 180;
-const HEEL_STOPS = 4;
+const DEG = Math.PI / 180;
+
+/** What tells that heel or toes of a resting foot hover: pitches, radians, up from flat. */
+interface Hover {
+  /** Between these it is neither on the ground nor clearly off it: 3.5 and 15 mm at its point. */
+  down: number;
+  off: number;
+  /** One that turns by less than `slow` a frame (12 cm/s at its point) and is up by less than `still` (18 mm) stops. */
+  slow: number;
+  still: number;
+  /** Where it hovers, what is up by less than the first lies down; from the second on it is up as it was. */
+  lies: number;
+  up: number;
+}
+const HEEL: Hover = {
+  down: 1.2 * DEG,
+  off: 4.5 * DEG,
+  slow: 0.0125,
+  still: 5.5 * DEG,
+  lies: DEG,
+  up: 5.5 * DEG,
+};
+const TOE: Hover = {
+  down: 0.8 * DEG,
+  off: 3.4 * DEG,
+  slow: 0.008,
+  still: 4.2 * DEG,
+  lies: 0.7 * DEG,
+  up: 4.2 * DEG,
+};
+/** What is between ground and air for so many frames hovers: one that is lifted or put down passes through in five. So many still ones stop. */
+const HOVER_FRAMES = 6;
+const STILL_FRAMES = 4;
 /** Times that it is put down at most. */
-const HEEL_TIMES = 3;
-/** Where heels hover, those up by less than the first lie down; from the second on they are up as they were; radians. */
-const HEEL_LIES = (1 * Math.PI) / 180;
-const HEEL_UP = (5.5 * Math.PI) / 180;
-/** At its ends a plant keeps its pitch, frames: it has to meet the air's. */
-const HEEL_ENDS = 4;
+const SETTLE_TIMES = 6;
+/** At its ends a plant keeps its pitch, frames: it has to meet the air's; where it leaves the ground nearly flat, fewer are enough. */
+const PLANT_ENDS = 4;
+const LEAVES_FLAT = 1.5;
 
 /**
- * Puts hovering heels down: shorter strides, blends and stops raise the heel of a resting foot so slowly, or so little, that it
- * would neither bear nor leave the ground. It stays down longer, then rises as others do. Not in the paper.
+ * Puts hovering heels and toes down: shorter strides, blends and stops raise the heel of a resting foot, or lower its toes, so slowly
+ * or so little that they would neither bear nor leave the ground. They stay down longer, then rise as others do, or come down
+ * earlier. Not in the paper.
  */
-export function settleHeels(track: FeetTrack, plants: readonly StylePlant[]): void {
+export function settleFeet(track: FeetTrack, plants: readonly StylePlant[]): void {
   for (const plant of plants) {
     const side = plant.foot === "left" ? 0 : 1;
-    // What hovered higher may hover lower then: a second time brings it down.
-    for (let time = 0; time < HEEL_TIMES && hovers(track, plant, side); time++)
-      for (let f = plant.from; f < plant.to; f++) {
-        const i = 2 * f + side;
-        if (track.pitch[i] >= 0) continue;
-        const down = 1 - smoothstep((-track.pitch[i] - HEEL_LIES) / (HEEL_UP - HEEL_LIES));
-        const inside = smoothstep((f - plant.from + 1) / HEEL_ENDS) * smoothstep((plant.to - f) / HEEL_ENDS);
-        track.pitch[i] *= 1 - down * inside;
+    const flat = track.pitch[2 * (plant.to - 1) + side] > -HEEL.off;
+    for (const [way, limits] of [
+      [-1, HEEL],
+      [1, TOE],
+    ] as const) {
+      const leaves = way < 0 && flat ? LEAVES_FLAT : PLANT_ENDS;
+      // What hovered higher may hover lower then: another time brings it down, and what still hovers lies down whole.
+      for (let time = 0; time <= SETTLE_TIMES && hovers(track, plant, side, way, limits); time++) {
+        const [lies, from] =
+          time < SETTLE_TIMES ? [limits.lies, limits.up] : [limits.still, 1.5 * limits.still];
+        for (let f = plant.from; f < plant.to; f++) {
+          const i = 2 * f + side;
+          const up = way * track.pitch[i];
+          if (up <= 0) continue;
+          const down = 1 - smoothstep((up - lies) / (from - lies));
+          const inside = smoothstep((f - plant.from + 1) / PLANT_ENDS) * smoothstep((plant.to - f) / leaves);
+          track.pitch[i] *= 1 - down * inside;
+        }
       }
+    }
   }
 }
 
-/** Whether a plant's heel stays between the ground and clearly off it, or as good as stops there. */
-function hovers(track: FeetTrack, plant: StylePlant, side: number): boolean {
+/** Whether a plant's heel (way -1) or toes (1) stay between the ground and clearly off it, or as good as stop there. */
+function hovers(track: FeetTrack, plant: StylePlant, side: number, way: 1 | -1, limits: Hover): boolean {
   let run = 0;
   let still = 0;
   for (let f = plant.from; f < plant.to; f++) {
-    const pitch = track.pitch[2 * f + side];
-    run = pitch < HEEL_DOWN && pitch > HEEL_OFF ? run + 1 : 0;
-    const slow = Math.abs(pitch - track.pitch[2 * Math.max(plant.from, f - 1) + side]) < HEEL_SLOW;
-    still = slow && !heelRests(pitch) && pitch > HEEL_STILL_OFF ? still + 1 : 0;
-    if (run >= HEEL_HOVERS || still >= HEEL_STOPS) return true;
+    const up = way * track.pitch[2 * f + side];
+    run = up > limits.down && up < limits.off ? run + 1 : 0;
+    const slow = Math.abs(up - way * track.pitch[2 * Math.max(plant.from, f - 1) + side]) < limits.slow;
+    still = slow && !rests(up, way) && up < limits.still ? still + 1 : 0;
+    if (run >= HOVER_FRAMES || still >= STILL_FRAMES) return true;
   }
   return false;
 }
+
+/** Whether heel or toes that are up by so much are claimed as planted. */
+const rests = (up: number, way: 1 | -1): boolean => (contactsOfPitch(way * up) & (way < 0 ? 1 : 2)) !== 0;
 
 /**
  * Enforces plants: writes ankles, yaws, toe bends and contacts.
@@ -247,8 +284,8 @@ const HOVERS_FOR = 6;
 const MOST_GROWTH = 45;
 
 /**
- * At starts and stops plants grow over the frames in which the constrained foot is as good as in its place: what stands on the
- * ground is claimed.
+ * At starts and stops plants grow over the frames in which the constrained foot is as good as in its place, and anywhere over those
+ * in which it hovers there: what stands on the ground is claimed.
  *
  * @param plants from `findPlants`, changed in place. @returns whether any grew: the feet are to be constrained anew.
  */
@@ -274,9 +311,9 @@ export function growPlants(track: FeetTrack, plants: readonly StylePlant[]): boo
     };
     for (const way of [-1, 1] as const) {
       const rest = way < 0 ? plant.from : plant.to - 1;
-      if (!track.slow[rest]) continue;
-      const hovers = frames(rest, way, HOVERS_OVER);
-      const n = hovers >= HOVERS_FOR ? hovers : frames(rest, way, RESTS_OVER);
+      const hovering = frames(rest, way, HOVERS_OVER);
+      if (hovering < HOVERS_FOR && !track.slow[rest]) continue;
+      const n = hovering >= HOVERS_FOR ? hovering : frames(rest, way, RESTS_OVER);
       for (let k = 1; k <= n; k++) track.down[rest + way * k] |= bit;
       if (way < 0) plant.from -= n;
       else plant.to += n;

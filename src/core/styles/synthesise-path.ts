@@ -25,7 +25,7 @@ import {
   freeFeet,
   growPlants,
   type StylePlant,
-  settleHeels,
+  settleFeet,
 } from "./feet.ts";
 import { easeKnees } from "./knees.ts";
 import { leanAlong } from "./lean.ts";
@@ -106,9 +106,12 @@ export function synthesisePath(
   const laid = clip.root.slice();
   const plants = findPlants(feet);
   if (o.feet) {
-    settleHeels(feet, plants);
+    settleFeet(feet, plants);
     constrainFeet(feet, plants, skeleton.foot, skeleton.legLength);
-    if (growPlants(feet, plants)) constrainFeet(feet, plants, skeleton.foot, skeleton.legLength);
+    if (growPlants(feet, plants)) {
+      settleFeet(feet, plants);
+      constrainFeet(feet, plants, skeleton.foot, skeleton.legLength);
+    }
   } else freeFeet(feet, skeleton.foot);
   reachFeet(clip, feet.ankle);
   closeLegs(clip, feet, knees);
