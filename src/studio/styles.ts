@@ -116,7 +116,7 @@ const SPECS: Record<Style, StyleSpec> = {
     mood: {
       lean: 15,
       head: 20,
-      swing: 0.25,
+      swing: 0.32,
       elbow: 88,
       armsForward: 24,
       armsOut: 2,

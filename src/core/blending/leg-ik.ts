@@ -23,7 +23,7 @@ export function legOf(skeleton: Skeleton): Leg {
 
 /** A leg never gets straighter than this under its full length, metres; and how softly it gets there. */
 const SPARE = 0.003;
-const SOFT = 0.017;
+const SOFT = 0.015;
 
 /** How far the hips must sink for an ankle (dx, dy, dz from the hip joint) to be in reach, softly, metres. */
 export function sinkFor(leg: Leg, dx: number, dy: number, dz: number): number {

@@ -60,6 +60,8 @@ const STANDING_HEIGHT = 0.9945;
 
 /** Upper arm of someone who stands, degrees ahead of the vertical. */
 const HANGING = 2;
+/** And to its side. */
+const HANGING_OUT = 13;
 
 /** The walk's own motion of the upper body over the feet. */
 export function renderBody(
@@ -134,7 +136,7 @@ export function renderBody(
           (shape.elbowSwing * DEG * Math.cos(p - shape.elbowLag) +
             shape.elbowTwice * DEG * Math.cos(2 * p - shape.elbowTwiceLag));
       a.out[f] =
-        ((1 - e) * 9 + e * shape.armOut + mood.armsOut) * DEG +
+        ((1 - e) * HANGING_OUT + e * shape.armOut + mood.armsOut) * DEG +
         swing * shape.armOpen * DEG * Math.cos(p - shape.armOpenLag);
       a.turn[f] = 25 * DEG + swing * 10 * DEG * Math.cos(p - shape.armLag);
     }
