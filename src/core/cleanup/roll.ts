@@ -45,7 +45,7 @@ const BESIDE_SPEED = 0.7;
  * long. Seconds; metres and metres a second at a leg of 0.93 m.
  */
 const PAD_BESIDE = 0.034;
-const PAD_RISE = 0.008;
+const PAD_RISE = 0.014;
 const PAD_SPEED = 0.3;
 /** Faster than this nothing stands, whatever its label: metres a second at a leg of 0.93 m. */
 const LANDED = 0.9;
