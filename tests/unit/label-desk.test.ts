@@ -86,6 +86,29 @@ describe("labels that a person corrects", () => {
     expect(text(t)).toBe("..........");
   });
 
+  it("what is painted stays when the oracle thinks otherwise, on its own track", () => {
+    const t = track("..........");
+    t.paint(0, 2, 4, 1);
+    t.fill(new Uint8Array(10).fill(2));
+    expect(text(t)).toBe("..##......");
+    expect(text(t, 1)).toBe("##########");
+    t.undo();
+    t.fill(new Uint8Array(10).fill(3));
+    expect(text(t)).toBe("##########");
+  });
+
+  it("thoughts of an oracle that has learned other labels than those now confirmed are left", () => {
+    const t = track("####......");
+    const learned = t.confirmed.slice();
+    t.confirm(0, 10);
+    expect(t.fill(new Uint8Array(10).fill(1), learned)).toBe(false);
+    t.undo();
+    expect(t.fill(new Uint8Array(10).fill(1), new Uint8Array(10).fill(1))).toBe(false);
+    expect(text(t)).toBe("####......");
+    expect(t.fill(new Uint8Array(10), learned)).toBe(true);
+    expect(text(t)).toBe("..........");
+  });
+
   it("after any edits, undo goes back to the beginning step by step (seed 3)", () => {
     const edit = fc.record({
       what: fc.constantFrom("start", "end", "clear", "brush", "paint", "confirm"),

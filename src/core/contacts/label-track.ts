@@ -1,8 +1,8 @@
 /**
  * Labels while a person corrects them: four tracks, a cursor, a brush, what is confirmed, and undo. No page, no clock.
  *
- * Frames are those of the clip. What the oracle thinks fills every frame that is not confirmed; edits and confirmations are
- * entries of one history.
+ * Frames are those of the clip. What the oracle thinks fills every label that is neither confirmed nor painted by hand; edits and
+ * confirmations are entries of one history.
  */
 import type { ContactTrack } from "../steps/types.ts";
 
@@ -15,6 +15,7 @@ export interface LabelRun {
 interface Snapshot {
   labels: Uint8Array;
   confirmed: Uint8Array;
+  touched: Uint8Array;
 }
 
 /** Entries of the history that are kept. */
@@ -24,6 +25,8 @@ export class LabelTrack {
   labels: ContactTrack;
   /** 1 for frames that the person has looked at: the oracle learns from them and changes them no more. */
   confirmed: Uint8Array;
+  /** A bit for each track: labels that the person has painted. The oracle leaves them, and learns from them once they are confirmed. */
+  touched: Uint8Array;
   /** Track at hand: 0 left heel, 1 left toe, 2 right heel, 3 right toe. */
   track = 0;
   cursor = 0;
@@ -33,11 +36,17 @@ export class LabelTrack {
   private future: Snapshot[] = [];
   private mark: Snapshot | null = null;
 
-  constructor(labels: ContactTrack, confirmed: Uint8Array = new Uint8Array(labels.length)) {
-    if (confirmed.length !== labels.length)
-      throw new RangeError(`${confirmed.length} marks for ${labels.length} labels.`);
+  constructor(
+    labels: ContactTrack,
+    confirmed: Uint8Array = new Uint8Array(labels.length),
+    touched: Uint8Array = new Uint8Array(labels.length),
+  ) {
+    for (const marks of [confirmed, touched])
+      if (marks.length !== labels.length)
+        throw new RangeError(`${marks.length} marks for ${labels.length} labels.`);
     this.labels = labels.slice();
     this.confirmed = confirmed.slice();
+    this.touched = touched.slice();
   }
 
   get frames(): number {
@@ -137,8 +146,10 @@ export class LabelTrack {
     const a = this.hold(Math.min(from, to));
     const b = Math.min(this.frames, Math.max(from, to));
     return this.edit(() => {
-      for (let f = a; f < b; f++)
+      for (let f = a; f < b; f++) {
         this.labels[f] = value ? this.labels[f] | (1 << track) : this.labels[f] & ~(1 << track);
+        this.touched[f] |= 1 << track;
+      }
     });
   }
 
@@ -218,11 +229,21 @@ export class LabelTrack {
     });
   }
 
-  /** What the oracle thinks now, in the frames that are not confirmed; no entry of the history. */
-  fill(labels: ContactTrack): void {
+  /**
+   * What the oracle thinks now, where the person has said nothing; no entry of the history.
+   *
+   * @param learned the confirmed frames that it has learned from: when others are confirmed by now its thoughts are late, and are left.
+   * @returns whether they were taken.
+   */
+  fill(labels: ContactTrack, learned: Uint8Array = this.confirmed): boolean {
     if (labels.length !== this.frames)
       throw new RangeError(`${labels.length} labels for ${this.frames} frames: they are of another clip.`);
-    for (let f = 0; f < this.frames; f++) if (!this.confirmed[f]) this.labels[f] = labels[f];
+    if (!learned.every((v, f) => v === this.confirmed[f])) return false;
+    for (let f = 0; f < this.frames; f++) {
+      const own = this.confirmed[f] ? 15 : this.touched[f];
+      this.labels[f] = (this.labels[f] & own) | (labels[f] & ~own);
+    }
+    return true;
   }
 
   /** Labels of a file, all of them confirmed. */
@@ -240,7 +261,11 @@ export class LabelTrack {
   }
 
   private snapshot(): Snapshot {
-    return { labels: this.labels.slice(), confirmed: this.confirmed.slice() };
+    return {
+      labels: this.labels.slice(),
+      confirmed: this.confirmed.slice(),
+      touched: this.touched.slice(),
+    };
   }
 
   private same(s: Snapshot): boolean {
@@ -252,5 +277,6 @@ export class LabelTrack {
   private restore(s: Snapshot): void {
     this.labels = s.labels;
     this.confirmed = s.confirmed;
+    this.touched = s.touched;
   }
 }

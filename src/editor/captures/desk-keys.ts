@@ -96,19 +96,13 @@ const KEYS: readonly DeskKey[] = [
     shown: "Ctrl Z",
     label: "Undo a label",
     matches: ctrl("z", false),
-    run(s) {
-      s.current?.edits.undo();
-      s.edited();
-    },
+    run: (s) => s.step("undo"),
   },
   {
     shown: "Ctrl Shift Z",
     label: "Redo a label",
     matches: (ev) => ctrl("z", true)(ev) || ctrl("y", false)(ev),
-    run(s) {
-      s.current?.edits.redo();
-      s.edited();
-    },
+    run: (s) => s.step("redo"),
   },
 ];
 

@@ -31,8 +31,8 @@ export function deskTime(s: CaptureSession, size: DeskSize): TemplateResult {
       <span class="clock">${edits.cursor} <span>/ ${edits.frames.toLocaleString("en")}</span></span>
       <div class="segments" role="group" aria-label="Speed">${SPEEDS.map(([v, label]) => html`<button aria-pressed=${s.clock.speed === v} @click=${() => s.clock.setSpeed(v)}>${label}</button>`)}</div>
       <span class="space"></span>
-      <button class="icon" aria-label="Undo a label" ?disabled=${!edits.canUndo} @click=${() => s.act(() => edits.undo())}>${ICONS.undo}</button>
-      <button class="icon" aria-label="Redo a label" ?disabled=${!edits.canRedo} @click=${() => s.act(() => edits.redo())}>${ICONS.redo}</button>
+      <button class="icon" aria-label="Undo a label" ?disabled=${!edits.canUndo} @click=${() => s.step("undo")}>${ICONS.undo}</button>
+      <button class="icon" aria-label="Redo a label" ?disabled=${!edits.canRedo} @click=${() => s.step("redo")}>${ICONS.redo}</button>
     </div>
     <div class="tracks desk-tracks" @pointerdown=${(ev: PointerEvent) => down(s, c, size, ev)}>
       ${unsafeSVG(

@@ -81,7 +81,7 @@ export class CaptureSession {
     for (const k of kept) {
       const c = await this.read(k.key, k.name, k.file, k.mapping);
       if (!c) continue;
-      if (k.labels.length === c.edits.frames) c.edits = new LabelTrack(k.labels, k.confirmed);
+      if (k.labels.length === c.edits.frames) c.edits = new LabelTrack(k.labels, k.confirmed, k.touched);
       c.tasks = k.tasks;
       c.steps = k.steps;
       c.stepsEdited = k.steps !== null;
@@ -156,7 +156,7 @@ export class CaptureSession {
   async remap(c: Capture, mapping: Record<string, string>): Promise<void> {
     const again = await this.read(c.key, c.name, c.file, mapping);
     if (!again) return;
-    again.edits = new LabelTrack(c.edits.labels, c.edits.confirmed);
+    again.edits = new LabelTrack(c.edits.labels, c.edits.confirmed, c.edits.touched);
     again.edits.fill(this.thoughtLabels(again));
     again.tasks = c.tasks;
     again.inLibrary = c.inLibrary;
@@ -266,6 +266,16 @@ export class CaptureSession {
     this.edited();
   }
 
+  /** Takes back, or does again, one entry of the labels' history; what the oracle has learned goes with it. */
+  step(way: "undo" | "redo"): void {
+    const c = this.current;
+    if (!c) return;
+    const before = c.edits.confirmed;
+    c.edits[way]();
+    this.edited();
+    if (!before.every((v, f) => v === c.edits.confirmed[f])) void this.train();
+  }
+
   setTab(tab: DeskTab): void {
     this.tab = tab;
     this.changed();
@@ -324,6 +334,7 @@ export class CaptureSession {
       mapping,
       labels: c.edits.labels,
       confirmed: c.edits.confirmed,
+      touched: c.edits.touched,
       tasks,
       steps: c.stepsEdited ? c.steps : null,
       inLibrary,
@@ -369,28 +380,21 @@ export class CaptureSession {
 
   async train(): Promise<void> {
     if (this.captures.length === 0) return;
-    const m = await this.ask(() =>
-      this.client.ask(
-        {
-          type: "train",
-          lessons: this.captures.map((c) => ({
-            key: c.key,
-            labels: c.edits.labels.slice(),
-            mask: c.edits.confirmed.slice(),
-          })),
-        },
-        "trained",
-      ),
-    );
+    const lessons = this.captures.map((c) => ({
+      key: c.key,
+      labels: c.edits.labels.slice(),
+      mask: c.edits.confirmed.slice(),
+    }));
+    const learned = new Map(lessons.map((l) => [l.key, l.mask.slice()]));
+    const m = await this.ask(() => this.client.ask({ type: "train", lessons }, "trained"));
     if (!m) return;
     this.examples = m.examples;
     this.sureness.push({ segments: this.confirmedCount, sure: m.sure });
     this.segments = m.segments.map((s) => ({ ...s, key: m.keys[s.motion] }));
     for (const t of m.thoughts) {
       const c = this.captures.find((x) => x.key === t.key);
-      if (!c) continue;
+      if (!c?.edits.fill(t.labels, learned.get(t.key))) continue;
       c.share = t.share;
-      c.edits.fill(t.labels);
       if (!c.stepsEdited) c.steps = null;
     }
     if (this.current && !this.current.steps) void this.findSteps(this.current);

@@ -12,6 +12,8 @@ export interface KeptCapture {
   /** One byte a frame of the clip at 60 Hz. */
   labels: Uint8Array;
   confirmed: Uint8Array;
+  /** Labels painted by hand, a bit for each track; left out by earlier versions. */
+  touched?: Uint8Array;
   tasks: SidecarTask[];
   steps: Step[] | null;
   inLibrary: boolean;
