@@ -97,6 +97,9 @@ export interface WeightData {
   beta: number;
 }
 
+/** Width of a letter of a plot's text, no less than it is, px. */
+const LETTER = 6.2;
+
 /** lambda_1 to lambda_4 as one bar, with beta marked [Figure 6]. */
 export function weightBar(d: WeightData, width = 272): string {
   const height = 44;
@@ -104,15 +107,20 @@ export function weightBar(d: WeightData, width = 272): string {
   const parts = [...d.lambda, d.lambda4];
   const out: string[] = [];
   let from = 0;
+  /** Where the last label ends. */
+  let said = 0;
   parts.forEach((w, k) => {
     if (w < 1e-4) return;
     out.push(
       `<rect x="${x(from).toFixed(1)}" y="14" width="${Math.max(0, x(w) - 1).toFixed(1)}" height="14" rx="2" fill="currentColor" fill-opacity="${k === 3 ? 0.25 : 0.9 - 0.22 * k}"/>`,
     );
-    if (x(w) > 26)
-      out.push(
-        `<text x="${(x(from) + 2).toFixed(1)}" y="40">${k === 3 ? "λ₄ root" : `λ${"₁₂₃"[k]}`} ${w.toFixed(2)}</text>`,
-      );
+    const label = `${k === 3 ? "λ₄ root" : `λ${"₁₂₃"[k]}`} ${w.toFixed(2)}`;
+    // A narrow part at the right end has its label moved in.
+    const place = Math.min(x(from) + 2, width - LETTER * label.length);
+    if (x(w) > 26 && place >= said) {
+      out.push(`<text x="${place.toFixed(1)}" y="40">${label}</text>`);
+      said = place + LETTER * label.length;
+    }
     from += w;
   });
   // Beta counts the share of lambda_4, which stands at the right.

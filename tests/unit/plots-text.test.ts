@@ -3,7 +3,7 @@
 import { expect, it } from "vitest";
 import { figureBars } from "../../src/plots/figure-bars.ts";
 import { figureLines } from "../../src/plots/figure-lines.ts";
-import { footSpacePlot } from "../../src/plots/foot-space.ts";
+import { footSpacePlot, weightBar } from "../../src/plots/foot-space.ts";
 import { layerLine } from "../../src/plots/layer-line.ts";
 import { learningCurve } from "../../src/plots/learning-curve.ts";
 import { safe } from "../../src/plots/markup.ts";
@@ -98,4 +98,22 @@ it.each(plots)("%s", (_, markup) => {
   expect([...page.querySelectorAll("*")].filter((el) => el.hasAttribute("onerror"))).toHaveLength(0);
   expect(markup).toContain(safe(EVIL));
   expect(markup).not.toContain(EVIL);
+});
+
+it("labels of weights neither leave the bar nor run into each other", () => {
+  for (const lambda of [
+    [0.88, 0.02, 0.1],
+    [0.1, 0.1, 0.8],
+    [1, 0, 0],
+    [0.34, 0.33, 0.33],
+  ]) {
+    const places = [
+      ...weightBar({ lambda, lambda4: 0, beta: 1 }).matchAll(/x="([\d.]+)" y="40">([^<]+)</g),
+    ].map(([, at, text]) => [Number(at), Number(at) + 6 * text.length]);
+    expect(places.length).toBeGreaterThan(0);
+    places.forEach(([from, to], k) => {
+      expect(from).toBeGreaterThanOrEqual(k === 0 ? 0 : places[k - 1][1]);
+      expect(to).toBeLessThanOrEqual(272);
+    });
+  }
 });
