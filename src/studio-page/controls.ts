@@ -83,6 +83,7 @@ const NAMES: Record<Layer, string> = {
   roll: "Foot roll",
   balance: "Balance",
   rhythm: "Rhythm",
+  lean: "Lean",
   knees: "Knees",
   flight: "Flight",
   gaze: "Gaze",

@@ -46,6 +46,12 @@ export function layerTracks(w: Workings): LayerTrack[] {
       lines: [track((f) => gait.amount[f]), track((f) => turn(body.chestYaw, body.pelvisYaw)(f) / 30)],
     },
     {
+      layer: "lean",
+      says: "trunk ahead for speed gained, back for speed lost",
+      unit: "°",
+      lines: [track((f) => DEG * body.lean[f])],
+    },
+    {
       layer: "knees",
       says: "hips raised for the knees' sake",
       unit: "mm",

@@ -192,13 +192,24 @@ export const moodOf = (actor: Actor): Mood => ({ ...NEUTRAL, ...actor.mood });
  * - `roll`: heel strike, heel-off and toe-off; without, feet stay flat;
  * - `balance`: the hips' way from the zero-moment point; without, they drift after the pressure;
  * - `rhythm`: pelvis, trunk and arms over the gait; without, the body is carried stiffly;
+ * - `lean`: the trunk ahead while speed is gained, back while it is lost;
  * - `knees`: hips and airborne feet give way where a knee would jerk;
  * - `flight`: the whole body falls freely in a run's flight;
  * - `gaze`: the head leads turns and holds what it looks at;
  * - `tasks`: bending, reaching, carrying, sitting, writing;
  * - `alive`: breathing, sway, the ring after a strike, noise.
  */
-export const LAYERS = ["roll", "balance", "rhythm", "knees", "flight", "gaze", "tasks", "alive"] as const;
+export const LAYERS = [
+  "roll",
+  "balance",
+  "rhythm",
+  "lean",
+  "knees",
+  "flight",
+  "gaze",
+  "tasks",
+  "alive",
+] as const;
 export type Layer = (typeof LAYERS)[number];
 export type Layers = Record<Layer, boolean>;
 

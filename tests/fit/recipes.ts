@@ -25,11 +25,6 @@ export interface Recipe {
    * leans ahead of the feet, by 8 cm at 0.9 m/s2: a steady run does not look like that.
    */
   gains?: readonly number[];
-  /**
-   * Phases, hundredths of the cycle, by which the group's curves are read later: 30 frames a second tell when a runner's foot comes
-   * down to 0.05 of the cycle.
-   */
-  later?: number;
   /** Changes a group's averages to another speed. */
   change?: (real: RealGait) => RealGait;
 }
@@ -205,13 +200,6 @@ export function targetOf(recipe: Recipe): RealGait {
   const known = targets.get(recipe);
   if (known) return known;
   const real = realGait(recipe.group);
-  const later = recipe.later ?? 0;
-  const moved = (keys: readonly number[]) => keys.map((_, k) => keys[(k + 100 - later) % 100]);
-  if (later)
-    for (const curve of Object.values(real.curves_deg)) {
-      curve.mean = moved(curve.mean);
-      curve.sd = moved(curve.sd);
-    }
   const target = recipe.change ? recipe.change(real) : real;
   targets.set(recipe, target);
   return target;

@@ -226,6 +226,22 @@ describe("motion quality", () => {
     expect(kind(0, 0.1, 1)).toBe("turn");
   });
 
+  it("standing before and after says nothing of the kind: who steps aside for two of ten seconds steps aside", () => {
+    const n = 600;
+    const root = new Float64Array(3 * n);
+    for (let f = 0; f < n; f++) root[3 * f] = 0.4 * Math.max(0, Math.min(2, f / 60 - 4));
+    const { kind, first, last, speed } = paceOf(root, new Float64Array(n), n, 60);
+    expect(kind).toBe("sidestep");
+    expect(first).toBeGreaterThan(200);
+    expect(last).toBeLessThan(400);
+    expect(speed).toBeGreaterThan(0.25);
+    expect(paceOf(new Float64Array(3 * n), new Float64Array(n), n, 60)).toMatchObject({
+      kind: "stand",
+      first: 0,
+      last: n - 1,
+    });
+  });
+
   it("jerk of a walk like the reference's is 1; steady frames leave out starts and stops", () => {
     const n = 600;
     const joints = new Float64Array(3 * JOINT_COUNT * n);

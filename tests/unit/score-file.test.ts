@@ -139,6 +139,19 @@ describe("layers", () => {
     expect(without("knees").raise.every((r) => r === 0)).toBe(true);
   });
 
+  it("who sets off leans ahead, who stops leans back, and in between hardly", () => {
+    const { lean } = whole.body;
+    const degrees = (f: number) => (180 / Math.PI) * f;
+    const most = lean.indexOf(Math.max(...lean));
+    const least = lean.indexOf(Math.min(...lean));
+    expect(degrees(lean[most])).toBeGreaterThan(3);
+    expect(degrees(lean[least])).toBeLessThan(-3);
+    expect(most).toBeLessThan(least);
+    const middle = lean.slice(Math.round(0.45 * lean.length), Math.round(0.55 * lean.length));
+    expect(degrees(Math.max(...middle.map(Math.abs)))).toBeLessThan(1);
+    expect(without("lean").body.lean.every((v) => v === 0)).toBe(true);
+  });
+
   it("knees of a jog turn no faster than runners' do, and much faster without their layer", () => {
     const jog = styleScore("jogging");
     const eased = jerk(renderWorkings(jog));

@@ -12,6 +12,7 @@ import type { Scene } from "../../src/core/scene/types.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { blendAt, FIXED_BLEND } from "../../src/core/styles/blend-length.ts";
 import type { StrideFamily } from "../../src/core/styles/family.ts";
+import { createFeetTrack, settleFeet } from "../../src/core/styles/feet.ts";
 import { cutLoop, loopRow, StyleError } from "../../src/core/styles/loop.ts";
 import { nearestOnPath, readPath } from "../../src/core/styles/path.ts";
 import { type PathPlan, planPaths } from "../../src/core/styles/plan-paths.ts";
@@ -205,6 +206,32 @@ describe("walks along paths [Express §§6, 7]", () => {
   });
 });
 
+describe("feet that hover", () => {
+  const DEG = Math.PI / 180;
+  /** One plant of sixty frames with the pitch given, settled; degrees. */
+  const settled = (pitch: (f: number) => number): number[] => {
+    const track = createFeetTrack(60);
+    for (let f = 0; f < 60; f++) track.pitch[2 * f] = pitch(f) * DEG;
+    settleFeet(track, [{ foot: "left", x: 0, z: 0, yaw: 0, from: 0, to: 60 }]);
+    return range(60).map((f) => track.pitch[2 * f] / DEG);
+  };
+
+  it("toes that stay a little over their place come down, a heel that stays a little up lies down", () => {
+    const toes = settled((f) => (f < 8 ? 20 - 2 * f : f < 30 ? 2.5 : 0));
+    expect(Math.max(...toes.slice(10, 56))).toBeLessThan(0.8);
+    expect(toes[2]).toBeCloseTo(16, 1);
+    const heel = settled((f) => (f < 20 ? 0 : -3));
+    expect(Math.min(...heel.slice(20, 56))).toBeGreaterThan(-1.2);
+  });
+
+  it("a foot that rolls from heel to toe as people's do is left alone", () => {
+    const roll = (f: number) => (f < 5 ? 20 - 4 * f : f < 45 ? 0 : -3 * (f - 44));
+    settled(roll).forEach((p, f) => {
+      expect(p, `frame ${f}`).toBeCloseTo(roll(f), 6);
+    });
+  });
+});
+
 describe("changes of style [Express §6.2]", () => {
   /** Blend lengths from everywhere in a loop to where the other one is joined, seconds. */
   function lengths(from: string, to: string): number[] {
@@ -236,6 +263,15 @@ describe("changes of style [Express §6.2]", () => {
       expect(Math.max(...all), `${from} to ${to}`).toBeLessThan(1.8);
       expect(Math.max(...all) - Math.min(...all)).toBeGreaterThan(0.2);
     }
+  });
+
+  it("take what the body needs from one speed to the other, where hands would be quicker", () => {
+    const all = lengths("jogging", "balancing");
+    const slower =
+      (60 * ((families.get("jogging")?.loop.speed ?? 0) - (families.get("balancing")?.loop.speed ?? 0))) /
+      1.25;
+    expect(slower).toBeGreaterThan(1);
+    expect(Math.min(...all)).toBeGreaterThanOrEqual(slower - 1e-9);
   });
 
   it("are played as long as that, or for the fixed third of a second where that is wished for", () => {

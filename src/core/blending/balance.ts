@@ -10,7 +10,9 @@
  * Tried before: the hips' place from the blend alone, with its own blend between steps. Sideways it is jerked by up to 5 m/s^2
  * where clips change, which put the zero-moment point outside the soles in half of the frames.
  */
+
 import { lerpAngle } from "../math/angle.ts";
+import { GRAVITY } from "../math/gravity.ts";
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import { MASSES } from "../skeleton/masses.ts";
 import {
@@ -51,7 +53,6 @@ const KNOWN = 21;
 const CHANGED = 22;
 const AXES = 3;
 
-const G = 9.81;
 /** Height of the centre of mass of a standing adult over that of its hips [Winter, table 4.1]. */
 const CENTRE_OVER_HIPS = 1.05;
 /** The ground under the body is smoothed by the same equation with this in the place of w, 1/s. */
@@ -315,7 +316,7 @@ const pace = { dt: -1, w: -1, fades: 0 };
 export function balanceHips(out: Float64Array, b: Batch, i: number, t: number, dt: number): void {
   const g = b.balance;
   const o = BALANCE * i;
-  const w = Math.sqrt(G / (CENTRE_OVER_HIPS * b.library.stand[HIPS_AT + 1]));
+  const w = Math.sqrt(GRAVITY / (CENTRE_OVER_HIPS * b.library.stand[HIPS_AT + 1]));
   if (pace.dt !== dt || pace.w !== w) {
     pace.dt = dt;
     pace.w = w;

@@ -70,6 +70,9 @@ function footOnToe(
 
 const turned = new Float64Array(4);
 
+/** Upper arms hang so far down from the T-pose, radians. */
+const HANGS = 1.4;
+
 export type Poser = (at: Float64Array, pose: Float64Array, root: Float64Array, o: number) => void;
 
 /** The function that poses our skeleton like the file's joints. */
@@ -100,6 +103,29 @@ export function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibr
   const low = g("spine") ?? g("chest");
   const lua = g("leftUpperArm");
   const rua = g("rightUpperArm");
+  /** Turns a bone the shortest way until it points `along`: its local rotation in `pose` and its world one, over its parent's. */
+  const pointBone = (bone: number, along: Float64Array, pose: Float64Array): void => {
+    const w = 4 * bone;
+    quatMultiply(rotations, w, rotations, w - 4, pose, w);
+    const far = Math.hypot(along[0], along[1], along[2]);
+    if (far < 1e-6) return;
+    const c = 3 * (bone + 1);
+    const { offsets } = skeleton;
+    quatRotate(v, 0, rotations, w, offsets[c], offsets[c + 1], offsets[c + 2]);
+    const length = Math.hypot(v[0], v[1], v[2]);
+    quatBetween(
+      q,
+      20,
+      v[0] / length,
+      v[1] / length,
+      v[2] / length,
+      along[0] / far,
+      along[1] / far,
+      along[2] / far,
+    );
+    quatMultiply(rotations, w, q, 20, rotations, w);
+    quatInverseMultiply(pose, w, rotations, w - 4, rotations, w);
+  };
   return (at, pose, root, o) => {
     pose.fill(0);
     for (let j = 0; j < JOINT_COUNT; j++) pose[4 * j + 3] = 1;
@@ -206,6 +232,8 @@ export function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibr
       const bend = pitch < 0 ? (toeSegmentPitch(pitch) - pitch) * near : 0;
       quatFromAxisAngle(pose, 4 * (upper + 3), 1, 0, 0, -Math.min(1.1, bend));
     }
+    // Arms as they hang, then upper arm and forearm each the shortest way to where the file's point: a person's twist.
+    forwardKinematics(positions, rotations, skeleton, root, o, pose, 0);
     for (let side = 0; side < 2; side++) {
       const s = side === 0 ? "left" : "right";
       const ua = g(`${s}UpperArm`);
@@ -213,32 +241,9 @@ export function createPoser(joints: Joints, skeleton: Skeleton, feet: FeetCalibr
       const ha = g(`${s}Hand`);
       if (ua === undefined || la === undefined || ha === undefined) continue;
       const upper = side === 0 ? J.leftUpperArm : J.rightUpperArm;
-      const sign = side === 0 ? 1 : -1;
-      // The arm as it hangs, then upper arm and forearm each the shortest way to where the file's point: a person's twist.
-      quatFromAxisAngle(pose, 4 * upper, 0, 0, 1, -sign * 1.4);
-      const parts: [number, Float64Array][] = [
-        [upper, sub(at, la, ua)],
-        [upper + 1, sub(at, ha, la)],
-      ];
-      for (const [bone, along] of parts) {
-        const far = Math.hypot(along[0], along[1], along[2]);
-        if (far < 1e-6) continue;
-        forwardKinematics(positions, rotations, skeleton, root, o, pose, 0);
-        const now = sub(positions, bone + 1, bone);
-        const length = Math.hypot(now[0], now[1], now[2]);
-        quatBetween(
-          q,
-          20,
-          now[0] / length,
-          now[1] / length,
-          now[2] / length,
-          along[0] / far,
-          along[1] / far,
-          along[2] / far,
-        );
-        quatMultiply(q, 20, q, 20, rotations, 4 * bone);
-        quatInverseMultiply(pose, 4 * bone, rotations, 4 * (bone - 1), q, 20);
-      }
+      quatFromAxisAngle(pose, 4 * upper, 0, 0, 1, side === 0 ? -HANGS : HANGS);
+      pointBone(upper, sub(at, la, ua), pose);
+      pointBone(upper + 1, sub(at, ha, la), pose);
     }
   };
 }

@@ -2,10 +2,12 @@
  * The middle of mass for animation: the pendulum's hyperbola [Footsteps eq. 3, §4.1] in place of the parabola that is planned with. It
  * leaves and reaches the same places at the same times, and lingers at the apex as a walker does.
  */
+
+import { GRAVITY } from "../math/gravity.ts";
 import { exponential } from "./elementary.ts";
 import { evaluateStep } from "./locomotion.ts";
 import { KIND, P, POSE } from "./state.ts";
-import { type Gait, GRAVITY } from "./types.ts";
+import type { Gait } from "./types.ts";
 
 const pose = new Float64Array(POSE);
 

@@ -1,4 +1,5 @@
 /** A crowd's world and what comes of it. Metres, seconds; ground points are x, z. */
+import { GRAVITY } from "../math/gravity.ts";
 
 /** A wall or pillar: a box turned about the upright, or a disc. */
 export interface Obstacle {
@@ -114,8 +115,6 @@ export function limping(leg: 0 | 1): Partial<Gait> {
  */
 export const froudeSpeed = (leg: number, ratio = 0.25): number => Math.sqrt(GRAVITY * leg * ratio);
 
-/** Metres a second squared. */
-export const GRAVITY = 9.81;
 /** Radius of torso and shoulder circles and the shoulders' way from the middle [Footsteps Figure 1c]. */
 export const BODY_RADIUS = 0.15;
 export const SHOULDER = 0.15;

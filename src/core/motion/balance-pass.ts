@@ -8,7 +8,9 @@
  * once for all frames [Kajita et al. 2003, Nakaoka et al. 2003 use the same correction]. Its influence dies out within
  * about a second, and frames already shown are held, so that a re-plan has no seam.
  */
+
 import { CLIP_RATE } from "../capture/clip.ts";
+import { GRAVITY } from "../math/gravity.ts";
 import { convexHull, createHull, nearestInHull } from "../math/hull.ts";
 import { gaussian, solveTridiagonal } from "../math/interpolate.ts";
 import { quatRotate } from "../math/quaternion.ts";
@@ -30,7 +32,6 @@ export interface KeptBalance {
   until: number;
 }
 
-const G = 9.81;
 /** Rounds of measuring and shifting: the legs follow the hips by half, so that one round does not do. */
 const ROUNDS = 3;
 /** No frame asks for more, metres: beyond it the footsteps themselves are out of balance, and a body would step. */
@@ -145,7 +146,7 @@ function shiftBody(track: BodyTrack, missing: Float64Array, hold: Float64Array, 
   for (let axis = 0; axis < 2; axis++) {
     for (let f = 0; f < n; f++) {
       // The centre of mass is a little over the hips.
-      const k = (Math.max(0.3, track.root[3 * f + 1] * 1.05) / G) * square;
+      const k = (Math.max(0.3, track.root[3 * f + 1] * 1.05) / GRAVITY) * square;
       // No speed at either end: the motion begins and ends standing.
       a[f] = f > 0 ? -k : 0;
       c[f] = f < n - 1 ? -k : 0;

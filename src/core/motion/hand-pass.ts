@@ -4,7 +4,9 @@
  * Where a capture's hand was in its own task's frame, laid on the scene's task, is where the hand must be; between tasks the
  * box rides where the body's own hands are.
  */
+
 import { wrapAngle } from "../math/angle.ts";
+import { GRAVITY } from "../math/gravity.ts";
 import { minimumJerk } from "../math/interpolate.ts";
 import { quatFromAxisAngle, quatRotate } from "../math/quaternion.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
@@ -54,7 +56,6 @@ const BOX_HALF = 0.18;
 const PALM_GAP = 0.01;
 /** Half a box's height, metres, and what pulls it to the floor, m/s^2. */
 const BOX_RISE = 0.13;
-const GRAVITY = 9.81;
 
 export function createHandState(windows: TaskWindow[], frames: number): HandState {
   const carries: Carry[] = [];

@@ -39,15 +39,13 @@ export function paceOf(
   }
   lowPass(way, 0, 2, frames, rate, 2);
   lowPass(way, 1, 2, frames, rate, 2);
-  const velocity = (f: number): [number, number] => {
+  const velocity = new Float64Array(2 * frames);
+  for (let f = 0; f < frames; f++) {
     const a = Math.max(0, f - 1);
     const b = Math.min(frames - 1, f + 1);
-    return [
-      ((way[2 * b] - way[2 * a]) * rate) / (b - a),
-      ((way[2 * b + 1] - way[2 * a + 1]) * rate) / (b - a),
-    ];
-  };
-  for (let f = 0; f < frames; f++) speeds[f] = Math.hypot(...velocity(f));
+    for (let k = 0; k < 2; k++) velocity[2 * f + k] = ((way[2 * b + k] - way[2 * a + k]) * rate) / (b - a);
+    speeds[f] = Math.hypot(velocity[2 * f], velocity[2 * f + 1]);
+  }
   let first = speeds.findIndex((v) => v > MOVES);
   let last = speeds.findLastIndex((v) => v > MOVES);
   if (first < 0 || last - first < rate / 2) [first, last] = [0, frames - 1];
@@ -57,7 +55,8 @@ export function paceOf(
   let sideways = 0;
   let turned = 0;
   for (let f = first; f <= last; f++) {
-    const [vx, vz] = velocity(f);
+    const vx = velocity[2 * f];
+    const vz = velocity[2 * f + 1];
     const s = Math.sin(yaw[f]);
     const c = Math.cos(yaw[f]);
     speed += speeds[f] / n;

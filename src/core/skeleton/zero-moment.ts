@@ -1,8 +1,8 @@
 /** The zero-moment point of the body's masses [Vukobratovic; Winter's segment masses]. */
+import { GRAVITY } from "../math/gravity.ts";
 import { JOINT_COUNT } from "./joints.ts";
 import { MASSES } from "./masses.ts";
 
-const G = 9.81;
 const ROW = 3 * MASSES.length;
 const TOTAL = MASSES.reduce((sum, [share]) => sum + share, 0);
 
@@ -44,13 +44,13 @@ export function zeroMomentPoint(
       const o = i * ROW + 3 * m;
       const here = f * ROW + 3 * m;
       const share = MASSES[m][0];
-      const g = share * (G + (at[o + reach + 1] - 2 * at[o + 1] + at[o - reach + 1]) * square);
+      const g = share * (GRAVITY + (at[o + reach + 1] - 2 * at[o + 1] + at[o - reach + 1]) * square);
       const pull = share * at[here + 1] * square;
       weight += g;
       nx += g * at[here] - pull * (at[o + reach] - 2 * at[o] + at[o - reach]);
       nz += g * at[here + 2] - pull * (at[o + reach + 2] - 2 * at[o + 2] + at[o - reach + 2]);
     }
-    if (load) load[f] = weight / (TOTAL * G);
+    if (load) load[f] = weight / (TOTAL * GRAVITY);
     out[2 * f] = nx / weight;
     out[2 * f + 1] = nz / weight;
   }

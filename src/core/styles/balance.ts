@@ -4,7 +4,9 @@
  * The same correction as core/motion/balance-pass.ts, here for bodies that follow a path: along the path the shift is free,
  * across it the hips stay within a few centimetres of where the sample carries them [Express §6.3].
  */
+
 import { CLIP_RATE, type Clip } from "../capture/clip.ts";
+import { GRAVITY } from "../math/gravity.ts";
 import { convexHull, createHull, nearestInHull } from "../math/hull.ts";
 import { gaussian, solveTridiagonal } from "../math/interpolate.ts";
 import { forwardKinematics } from "../skeleton/forward-kinematics.ts";
@@ -12,7 +14,6 @@ import { JOINT_COUNT } from "../skeleton/joints.ts";
 import { zeroMomentPoint } from "../skeleton/zero-moment.ts";
 import type { StylePlant } from "./feet.ts";
 
-const G = 9.81;
 /** Rounds of measuring and shifting: the legs follow the hips by half. */
 const ROUNDS = 3;
 /** No frame asks for more in a round, metres. */
@@ -133,7 +134,7 @@ function solveShift(missing: Float64Array, clip: Clip): void {
   for (let axis = 0; axis < 2; axis++) {
     for (let f = 0; f < n; f++) {
       // The centre of mass is a little over the hips.
-      const k = (Math.max(0.3, clip.root[3 * f + 1] * 1.05) / G) * CLIP_RATE * CLIP_RATE;
+      const k = (Math.max(0.3, clip.root[3 * f + 1] * 1.05) / GRAVITY) * CLIP_RATE * CLIP_RATE;
       a[f] = f > 0 ? -k : 0;
       c[f] = f < n - 1 ? -k : 0;
       b[f] = 1 - a[f] - c[f];

@@ -2,10 +2,10 @@
  * Lean into turns from the zero-moment point [Express §7.2]: the whole body tilts so far that gravity and the centripetal
  * force act along it, and its zero-moment point stays over the feet.
  */
+import { GRAVITY } from "../math/gravity.ts";
 import { type MotionPath, placeOnPath, readPath } from "./path.ts";
 
 const RATE = 60;
-const GRAVITY = 9.81;
 /** Sampling distance of the acceleration, seconds [Express §7.2: a fourth-order central difference with 0.5 s]. */
 const STEP = 0.5;
 /** Largest lean, radians: beyond it feet do not hold. */

@@ -27,6 +27,8 @@ const DEG = Math.PI / 180;
 
 /** Angles of the upper body, radians a frame; pitch forward, roll to the right side down, as documented on each. */
 export interface BodyAngles {
+  /** Of the pitches, what the chest leans for speed gained. */
+  lean: Float64Array;
   /** Turning of pelvis, upper chest and head in the world. */
   pelvisYaw: Float64Array;
   chestYaw: Float64Array;
@@ -74,6 +76,7 @@ export function renderBody(
   const make = () => new Float64Array(frames);
   const arm = (): ArmAngles => ({ swing: make(), out: make(), turn: make(), elbow: make() });
   const b: BodyAngles = {
+    lean: make(),
     pelvisYaw: make(),
     chestYaw: make(),
     headYaw: make(),
@@ -149,7 +152,7 @@ export function renderBody(
       scale * (mood.crouch * (0.35 + 0.65 * k) + k * mood.bounce * (0.5 + 0.5 * Math.cos(2 * w - 0.6)));
   }
   addSingleSteps(b, score, facing, gait, skeleton, on.gaze ? gazing(score, frames) : make(), frames);
-  addLean(b, feet, facing, paceOf(score.actor).stance < 0.5, frames);
+  if (on.lean) addLean(b, feet, facing, paceOf(score.actor).stance < 0.5);
   if (score.actor.phrase) addPhrase(b, gait, score.actor.phrase);
   if (on.alive) alive(b, score, gait, frames);
   return b;

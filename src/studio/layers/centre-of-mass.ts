@@ -2,11 +2,11 @@
  * The body over its feet: the pendulum equation x'' = w^2 (x - p) as a boundary-value problem, and the whole body's own
  * zero-moment point for correcting it [Kajita et al. 2003; Vukobratovic].
  */
+
 import { CLIP_RATE } from "../../core/capture/clip.ts";
+import { GRAVITY } from "../../core/math/gravity.ts";
 import { solveTridiagonal } from "../../core/math/interpolate.ts";
 import { MASSES } from "../../core/skeleton/masses.ts";
-
-const G = 9.81;
 
 /** Frames whose place is given (seated): 1; their x, z in `place`. */
 export interface Pins {
@@ -43,7 +43,7 @@ export function pendulum(
         d[f] = pins?.pinned[f] ? pins.place[2 * f + axis] : p;
         continue;
       }
-      const w2 = ((load ? load[f] : 1) * G) / Math.max(0.3, height[f]);
+      const w2 = ((load ? load[f] : 1) * GRAVITY) / Math.max(0.3, height[f]);
       // x'' - w^2 x = -w^2 p
       a[f] = h2;
       c[f] = h2;
@@ -107,7 +107,7 @@ export function zeroMomentPoint(
       const ay = (at[o + row + 1] - 2 * at[o + 1] + at[o - row + 1]) * h2;
       const az = (at[o + row + 2] - 2 * at[o + 2] + at[o - row + 2]) * h2;
       const here = f * row + 3 * m;
-      const g = share * (ay + G);
+      const g = share * (ay + GRAVITY);
       weight += g;
       nx += g * at[here] - share * at[here + 1] * ax;
       nz += g * at[here + 2] - share * at[here + 1] * az;

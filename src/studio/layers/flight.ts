@@ -7,12 +7,13 @@
  * harder than they push off, and so land lower, on a bent knee, than they leave the ground [Cavagna 2006, the landing-take-off
  * asymmetry in human running].
  */
+
 import { CLIP_RATE } from "../../core/capture/clip.ts";
+import { GRAVITY } from "../../core/math/gravity.ts";
 import { unit } from "../../core/math/interpolate.ts";
 import { factorBand, solveBand } from "../../core/optimize/banded-cholesky.ts";
 import type { FootTrack } from "./feet.ts";
 
-const G = 9.81;
 /** Weights of following the wish, of its second difference, of falling freely in flight, of the push between two flights. */
 const FOLLOW = 1;
 const SMOOTH = 60;
@@ -43,7 +44,7 @@ export function flightFrames(feet: readonly [FootTrack, FootTrack], frames: numb
  */
 export function ballisticHeight(wish: Float64Array, flight: Uint8Array, early: number): Float64Array {
   const n = wish.length;
-  const fall = -G / (CLIP_RATE * CLIP_RATE);
+  const fall = -GRAVITY / (CLIP_RATE * CLIP_RATE);
   // Normal equations of a pentadiagonal least-squares problem: rows d2 y = target, weight w.
   const band = new Float64Array(3 * n);
   const right = new Float64Array(n);
@@ -111,7 +112,7 @@ export function loadFactor(height: Float64Array): Float64Array {
   const out = new Float64Array(n).fill(1);
   for (let f = 1; f < n - 1; f++) {
     const a = (height[f - 1] - 2 * height[f] + height[f + 1]) * CLIP_RATE * CLIP_RATE;
-    out[f] = Math.max(0, Math.min(4, 1 + a / G));
+    out[f] = Math.max(0, Math.min(4, 1 + a / GRAVITY));
   }
   return out;
 }

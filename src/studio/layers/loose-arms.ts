@@ -2,13 +2,14 @@
  * Arms that hang: outside the walk's own swing each is a damped pendulum under a shoulder that is carried along, so that
  * hands stay behind when the body sets off, swing on when it stops, and forearms follow upper arms.
  */
+
 import { CLIP_RATE } from "../../core/capture/clip.ts";
+import { GRAVITY } from "../../core/math/gravity.ts";
 import { gaussian, smoothstep } from "../../core/math/interpolate.ts";
 import type { BodyAngles } from "./body.ts";
 import type { Gait } from "./gait.ts";
 
 const DEG = Math.PI / 180;
-const GRAVITY = 9.81;
 /** Radians a second of a hanging arm (0.8 Hz: a compound pendulum of 0.4 m), and its damping by muscles and skin. */
 const RATE = 5;
 const DAMPING = 0.5;
