@@ -146,7 +146,13 @@ export class Editor {
     return this.registry.things.flatMap((kind) => kind.list(this));
   }
 
+  /** Frames what is at hand: a layer's own figures while they are shown, else the scene. */
   frameScene(): void {
+    const own = this.layers.frames();
+    if (own) {
+      this.stage.frame(own);
+      return;
+    }
     const { scene } = this.store.getState();
     this.stage.frame([
       [scene.start.position[0], 0, scene.start.position[1]],

@@ -7,8 +7,12 @@ import { LabelTrack } from "../../src/core/contacts/label-track.ts";
 import { encodeOracle } from "../../src/core/contacts/model-file.ts";
 import { trackOf } from "../../src/core/contacts/motion-track.ts";
 import { OWN_ORACLE, trainOracle } from "../../src/core/contacts/oracle.ts";
+import { DEFAULT_PROPORTIONS } from "../../src/core/skeleton/skeleton.ts";
 import { decodeLibrary } from "../../src/core/templates/library-file.ts";
+import { captureLayer } from "../../src/editor/captures/layer.ts";
+import type { CaptureSession } from "../../src/editor/captures/session.ts";
 import { taskHere } from "../../src/editor/captures/task-here.ts";
+import type { Editor } from "../../src/editor/editor.ts";
 import { contactTracks } from "../../src/plots/contact-tracks.ts";
 import { renderScore } from "../../src/studio/render.ts";
 import { studioSet } from "../../src/studio/set.ts";
@@ -323,5 +327,51 @@ describe("the worker of captures", () => {
     const to = task?.position ?? [0, 0, 0];
     expect(Math.hypot(...marked.position.map((v, k) => v - to[k]))).toBeLessThan(0.2);
     expect(marked.contact).toBeCloseTo(task?.contact ?? 0, 1);
+  });
+
+  it("the stretch at hand is framed whole; who leaves the desk finds the scene's figure and view again", () => {
+    const { clip } = rendered[0];
+    const edits = new LabelTrack(new Uint8Array(clip.frames));
+    const data = {
+      frames: clip.frames,
+      rate: clip.rate,
+      height: clip.skeleton.height,
+      root: clip.root,
+      rotations: clip.rotations,
+    };
+    const seen = { frames: 0, poses: 0, shows: 0 };
+    const session = {
+      current: { key: "c", clip: data, edits, cleaned: null },
+      stretch: { first: 0, last: 200 },
+      deskOpen: true,
+      feetShown: null,
+    };
+    const layer = captureLayer(
+      {
+        store: {
+          getState: () => ({ scene: { character: { height: 1.75, proportions: DEFAULT_PROPORTIONS } } }),
+        },
+        stage: { setPose: () => seen.poses++, invalidate: () => undefined },
+        frameScene: () => seen.frames++,
+        playback: { show: () => seen.shows++ },
+      } as unknown as Editor,
+      session as unknown as CaptureSession,
+    );
+    layer.draw();
+    layer.draw();
+    expect(seen).toEqual({ frames: 1, poses: 2, shows: 0 });
+    const points = layer.frames?.() ?? [];
+    expect(points).toHaveLength(8);
+    const way = Math.hypot(clip.root[3 * 199] - clip.root[0], clip.root[3 * 199 + 2] - clip.root[2]);
+    const [a, b] = [points[0], points[7]];
+    expect(Math.hypot(b[0] - a[0], b[2] - a[2])).toBeCloseTo(way, 2);
+    session.stretch = { first: 200, last: 400 };
+    layer.draw();
+    expect(seen).toEqual({ frames: 2, poses: 3, shows: 0 });
+    session.deskOpen = false;
+    layer.draw();
+    layer.draw();
+    expect(seen).toEqual({ frames: 3, poses: 3, shows: 1 });
+    expect(layer.frames?.()).toBeNull();
   });
 });

@@ -5,9 +5,12 @@ import { createSkeleton } from "../../core/skeleton/skeleton.ts";
 import { FootGhosts } from "../../view/foot-ghosts.ts";
 import type { Editor } from "../editor.ts";
 import type { ViewportLayer } from "../layers/layer.ts";
+import type { Capture, Stretch } from "./capture.ts";
 import type { CaptureSession } from "./session.ts";
 
 const Q = 4 * JOINT_COUNT;
+/** Places of a stretch that are looked at to frame it. */
+const LOOKS = 8;
 
 export function captureLayer(e: Editor, session: CaptureSession): ViewportLayer & { draw(): void } {
   const object = new Group();
@@ -15,15 +18,28 @@ export function captureLayer(e: Editor, session: CaptureSession): ViewportLayer 
   object.add(ghosts.object);
   const root = new Float64Array(3);
   let drawn = "";
+  let framed = "";
+  /** The scene's own character acts: places grow with its legs, so that its feet stand where the capture's do. */
+  const scaleOf = (c: Capture): number => {
+    const { height, proportions } = e.store.getState().scene.character;
+    return createSkeleton(height, proportions).legLength / createSkeleton(c.clip.height).legLength;
+  };
+  const middleOf = ({ first, last }: Stretch): number => (first + last) >> 1;
   const draw = (): void => {
     const c = session.current;
     object.visible = session.deskOpen && c !== null;
+    // Another stretch, or the scene again, is another picture.
+    const picture = c && object.visible ? `${c.key} ${session.stretch.first}` : "";
+    if (picture !== framed) {
+      framed = picture;
+      e.frameScene();
+      // The character goes back to where the scene has it.
+      if (picture === "") e.playback.show();
+    }
     if (!c || !object.visible) return;
     const { clip, edits } = c;
-    const { height, proportions } = e.store.getState().scene.character;
-    // The scene's own character acts: places grow with its legs, so that its feet stand where the capture's do.
-    const scale = createSkeleton(height, proportions).legLength / createSkeleton(clip.height).legLength;
-    const middle = (session.stretch.first + session.stretch.last) >> 1;
+    const scale = scaleOf(c);
+    const middle = middleOf(session.stretch);
     const f = edits.cursor;
     for (let k = 0; k < 3; k++)
       root[k] = scale * (clip.root[3 * f + k] - (k === 1 ? 0 : clip.root[3 * middle + k]));
@@ -37,5 +53,18 @@ export function captureLayer(e: Editor, session: CaptureSession): ViewportLayer 
     }
     e.stage.invalidate();
   };
-  return { id: "capture", object, draw, update: draw, time: draw, dispose: () => ghosts.dispose() };
+  /** Where the figure of the stretch stands, from its first frame to its last. */
+  const frames = (): [number, number, number][] | null => {
+    const c = session.current;
+    if (!c || !object.visible) return null;
+    const { first, last } = session.stretch;
+    const { root: way } = c.clip;
+    const scale = scaleOf(c);
+    const middle = middleOf(session.stretch);
+    return Array.from({ length: LOOKS }, (_, k) => {
+      const f = Math.min(last - 1, first + Math.round((k * (last - 1 - first)) / (LOOKS - 1)));
+      return [scale * (way[3 * f] - way[3 * middle]), 0, scale * (way[3 * f + 2] - way[3 * middle + 2])];
+    });
+  };
+  return { id: "capture", object, draw, frames, update: draw, time: draw, dispose: () => ghosts.dispose() };
 }

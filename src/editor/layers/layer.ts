@@ -16,6 +16,8 @@ export interface ViewportLayer {
   /** What is shown at a time, seconds. Called each frame while playing: no allocation. */
   time?(e: Editor, seconds: number): void;
   theme?(theme: Theme): void;
+  /** Where bodies stand that are to be seen whole instead of the scene's things, metres; null when it shows none of its own. */
+  frames?(): readonly (readonly [number, number, number])[] | null;
   /** What of it is under the pointer. */
   pick?(ray: Raycaster): Ref | null;
   dispose?(): void;
@@ -63,6 +65,15 @@ export class LayerHost {
 
   theme(theme: Theme): void {
     for (const l of this.layers) l.theme?.(theme);
+  }
+
+  /** What a layer wants framed instead of the scene; null when none does. */
+  frames(): readonly (readonly [number, number, number])[] | null {
+    for (const l of this.told) {
+      const points = l.frames?.();
+      if (points) return points;
+    }
+    return null;
   }
 
   /** The topmost layer's answer to what is under a point of the viewport. */
