@@ -1,11 +1,15 @@
 import { describe, expect, it } from "vitest";
+import type { Clip } from "../../src/core/capture/clip.ts";
 import { solePoints } from "../../src/core/contacts/baselines.ts";
+import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { pivotPlace, plantedAnkle } from "../../src/core/motion/sole.ts";
 import { createRangeWorkspace, jointsOutOfRange } from "../../src/core/quality/joint-ranges.ts";
+import { paceOf } from "../../src/core/quality/kind.ts";
+import { motionPoints, steadyJerk } from "../../src/core/quality/measure.ts";
 import { forwardKinematics } from "../../src/core/skeleton/forward-kinematics.ts";
 import { JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
-import { STEP_CATEGORIES, type StepCategory } from "../../src/core/steps/types.ts";
+import { type ContactTrack, STEP_CATEGORIES, type StepCategory } from "../../src/core/steps/types.ts";
 import { renderScore } from "../../src/studio/render.ts";
 import { CATEGORY_OF, type StepKind } from "../../src/studio/score.ts";
 import { everyScore } from "../../src/studio/set.ts";
@@ -109,13 +113,42 @@ describe("the whole set that ships", () => {
     }
   });
 
+  /** Every capture, those of the tasks' library as they are there. */
+  const every = (() => {
+    let all: { name: string; clip: Clip; contacts: ContactTrack }[] | null = null;
+    return () => {
+      const made = new Map(studio().rendered.map((r) => [r.name, r]));
+      all ??= everyScore().map(({ name, score }) => ({ ...(made.get(name) ?? renderScore(score)), name }));
+      return all;
+    };
+  })();
+
+  it("moves hands, feet, head and hips with real people's jerk: 0.7 to 1.4 of it in every capture's steady part", () => {
+    const ratios = every().map(({ name, clip, contacts }) => {
+      const { skeleton, frames } = clip;
+      const points = motionPoints(skeleton, [wholeChunk(clip, contacts)], frames);
+      const pace = paceOf(points.root, points.yaw, frames, 60);
+      const jerk = steadyJerk(points, pace, skeleton.legLength - skeleton.foot.ankleHeight);
+      expect(jerk, name).toBeGreaterThanOrEqual(0.7);
+      expect(jerk, name).toBeLessThanOrEqual(1.4);
+      return jerk ?? 0;
+    });
+    ratios.sort((a, b) => a - b);
+    // Not at the border either: half of them come close to people.
+    const [quarter, most] = [0.25, 0.75].map((share) => ratios[Math.floor(share * ratios.length)]);
+    console.log(
+      `jerk beside real ones: ${[ratios[0], quarter, most, ratios.at(-1)].map((r) => r?.toFixed(2))}`,
+    );
+    expect(quarter).toBeGreaterThan(0.8);
+    expect(most).toBeLessThan(1.1);
+  });
+
   it("bends no joint beyond its range in any frame", () => {
-    const made = new Map(studio().rendered.map((r) => [r.name, r.clip]));
     const range = createRangeWorkspace();
     const places = new Float64Array(3 * JOINT_COUNT);
     const world = new Float64Array(4 * JOINT_COUNT);
-    for (const { name, score } of everyScore()) {
-      const { skeleton, frames, root, rotations } = made.get(name) ?? renderScore(score).clip;
+    for (const { name, clip } of every()) {
+      const { skeleton, frames, root, rotations } = clip;
       for (let f = 0; f < frames; f++) {
         forwardKinematics(places, world, skeleton, root, 3 * f, rotations, 4 * JOINT_COUNT * f);
         expect(jointsOutOfRange(places, 0, world, 0, range), `${name}, frame ${f}`).toEqual([]);

@@ -78,17 +78,20 @@ export function paceOf(
 /** Speed that counts as going, m/s, and what is left out after setting off and before stopping, seconds. */
 const GOING = 0.35;
 const SETTLE = 0.4;
+/** Seconds that what is left must last: a stride, in which either foot swings once. */
+const STRIDE = 1.2;
 
 /** 1 for frames in which the hips keep going, away from where they set off and stop. */
 export function steadyFrames(pace: MotionPace, rate: number): Uint8Array {
   const { speeds } = pace;
   const out = new Uint8Array(speeds.length);
   const margin = Math.round(SETTLE * rate);
+  const stride = Math.round(STRIDE * rate);
   for (let f = 0; f < speeds.length; f++) {
     if (speeds[f] < GOING) continue;
     let end = f;
     while (end < speeds.length && speeds[end] >= GOING) end++;
-    if (end - f > 2 * margin) out.fill(1, f + margin, end - margin);
+    if (end - f >= 2 * margin + stride) out.fill(1, f + margin, end - margin);
     f = end;
   }
   return out;

@@ -182,11 +182,14 @@ export function measureMotion(
 }
 
 /**
- * Jerk over the motion's steady part: where the hips keep going, else, in a motion that stands, all of it.
+ * Jerk over the motion's steady part, beside real people's at its speed: where the hips keep going, else, in a motion that stands,
+ * all of it. Standing between walks would halve the mean speed that real jerk is looked up at, and starts and stops are not steady.
  *
- * Standing between walks would halve the mean speed that real jerk is looked up at, and starts and stops are not steady.
+ * @param pace of the same motion, at 60 frames a second as `points` are.
+ * @param leg hip to ankle, metres.
+ * @returns null of less than a third of a second.
  */
-function steadyJerk(points: MotionPoints, pace: MotionPace, leg: number): number | null {
+export function steadyJerk(points: MotionPoints, pace: MotionPace, leg: number): number | null {
   const { frames, joints } = points;
   const going = steadyFrames(pace, 60);
   const count = going.reduce((a, b) => a + b, 0);

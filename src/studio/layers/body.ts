@@ -57,6 +57,9 @@ export interface ArmAngles {
 /** Harmonics of a step that the hips' height has: what is above them, some 8 Hz, is no walker's but the keys'. */
 const HEIGHT_HARMONICS = 4;
 
+/** How hard a step to the side comes down, beside a walking step of full length. */
+const SIDE_RING = 0.5;
+
 /** Standing: a little under full length. */
 const STANDING_HEIGHT = 0.9945;
 
@@ -257,18 +260,17 @@ function alive(b: BodyAngles, score: Score, gait: Gait, frames: number): void {
   const start = random.between(0, 2 * Math.PI);
   for (let f = 0; f < frames; f++)
     b.chestPitch[f] -= 0.35 * DEG * Math.sin(start + (2 * Math.PI * 0.25 * f) / CLIP_RATE);
-  const strikes = score.steps
-    .filter((s) => s.kind === "walk" || s.kind === "turnStep" || s.kind === "run")
-    .map((s) => s.land);
-  for (const time of strikes) {
+  for (const { kind, land: time } of score.steps) {
+    const side = kind === "side" || kind === "close";
+    if (!side && kind !== "walk" && kind !== "turnStep" && kind !== "run") continue;
     for (let k = 0; k < 24; k++) {
       const f = Math.ceil(time * CLIP_RATE) + k;
       if (f >= frames) break;
       const t = f / CLIP_RATE - time;
-      const e = gait.amount[f];
-      const ring = 0.25 * e * Math.exp(-t / 0.07) * Math.sin(2 * Math.PI * 6.5 * t) * smoothstep(t / 0.02);
-      b.hipHeight[f] -= 0.0032 * ring;
-      b.chestPitch[f] += 0.9 * DEG * ring;
+      const e = side ? SIDE_RING : gait.amount[f];
+      const ring = 0.45 * e * Math.exp(-t / 0.07) * Math.sin(2 * Math.PI * 6.5 * t) * smoothstep(t / 0.02);
+      b.hipHeight[f] -= 0.0018 * ring;
+      b.chestPitch[f] += 0.5 * DEG * ring;
       if (f + 2 < frames) b.headPitch[f + 2] += 0.5 * DEG * ring;
       for (const arm of b.arms) {
         arm.swing[f] -= 1.1 * DEG * ring;

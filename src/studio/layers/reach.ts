@@ -97,9 +97,9 @@ export function carryBox(clip: Clip, body: BodyAngles, tasks: TaskLayer, skeleto
     smooth[3 * f + 2] = clip.root[3 * f + 2];
   }
   // Arms give a little: the box does not take every rise and fall of the hips.
-  gaussian(smooth, 3, 3.5);
+  gaussian(smooth, 3, 1.2);
   const yaw = Float64Array.from(body.chestYaw);
-  gaussian(yaw, 1, 4);
+  gaussian(yaw, 1, 2.5);
   if (!tasks.original) {
     tasks.original = { box: Float64Array.from(tasks.box), yaw: Float64Array.from(tasks.boxYaw) };
   }

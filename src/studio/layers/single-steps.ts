@@ -17,6 +17,8 @@ const DEG = Math.PI / 180;
 const FULL = 0.42;
 /** Frames by which trunk, upper arms and elbows follow the pelvis. */
 const LAG = { chest: 3, arm: 7, elbow: 11 } as const;
+/** Standard deviation of the arms' slowness, frames. */
+const SLOW_ARMS = 7;
 
 /** How much of each kind of step there is, a frame each; left and right foot. */
 interface Parts {
@@ -90,6 +92,13 @@ export function addSingleSteps(
     at(pair[0], f, lag) - at(pair[1], f, lag);
   const both = (pair: [Float64Array, Float64Array], f: number, lag = 0) =>
     at(pair[0], f, lag) + at(pair[1], f, lag);
+  // Hanging arms are slow: of a small step they keep little, of one to the side, which throws the trunk about, all.
+  const arms = p.air.map((air, side) => {
+    const wide = Float64Array.from(p.lead[side], (x, f) => x + p.trail[side][f]);
+    const small = Float64Array.from(air, (x, f) => x - wide[f]);
+    gaussian(small, 1, SLOW_ARMS);
+    return small.map((x, f) => x + wide[f]);
+  }) as [Float64Array, Float64Array];
   for (let f = 0; f < frames; f++) {
     const course = p.course[f];
     const small = tilt(p.air, f) - tilt(p.lead, f) - tilt(p.trail, f);
@@ -114,11 +123,11 @@ export function addSingleSteps(
     for (let side = 0; side < 2; side++) {
       const arm = b.arms[side];
       const sign = side === 0 ? 1 : -1;
-      const air = both(p.air, f, LAG.arm);
+      const air = both(arms, f, LAG.arm);
       arm.out[f] += DEG * (3 * air + 3 * Math.abs(at(p.course, f, LAG.arm)));
-      arm.elbow[f] += DEG * (5 * both(p.air, f, LAG.elbow) + 9 * Math.abs(at(p.course, f, LAG.elbow)));
+      arm.elbow[f] += DEG * (5 * both(arms, f, LAG.elbow) + 9 * Math.abs(at(p.course, f, LAG.elbow)));
       // Opposite arm and leg, and the shoulders' turn.
-      arm.swing[f] += DEG * (-3.5 * sign * tilt(p.air, f, LAG.arm) + 3 * Math.abs(at(p.course, f, LAG.arm)));
+      arm.swing[f] += DEG * (-3.5 * sign * tilt(arms, f, LAG.arm) + 3 * Math.abs(at(p.course, f, LAG.arm)));
       arm.turn[f] += DEG * 6 * Math.abs(at(p.course, f, LAG.arm));
     }
     // Knees stay soft and yield as they take the weight.
