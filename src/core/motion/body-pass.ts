@@ -37,6 +37,10 @@ const SETTLING = 0.2;
 /** A foot's pitch in a plant, radians. */
 const LEAST_PITCH = -1.25;
 const MOST_PITCH = 0.6;
+/** Seconds after landing in which a foot only comes down: neither its heel nor its toes may rise again. */
+const LANDS = 0.1;
+/** Source frames within which a capture's foot has come down after its landing. */
+const COMES_DOWN = 20;
 /** A planted foot this near to flat lies flat: captures' feet rest a degree off, and a footstep is where the foot is flat. Radians. */
 const FLAT = (1.2 * Math.PI) / 180;
 /** The same while it lands, radians, and for how long, seconds. */
@@ -113,6 +117,8 @@ export interface BodyState {
   lastPitchSpeed: [number, number];
   /** Seconds since each foot has landed. */
   landedAge: [number, number];
+  /** Source frame until which a capture's foot still comes down, after ours has landed in another capture. */
+  comesDown: [number, number];
 }
 
 export function createBodyState(): BodyState {
@@ -129,6 +135,7 @@ export function createBodyState(): BodyState {
     lastPitch: [0, 0],
     lastPitchSpeed: [0, 0],
     landedAge: [1, 1],
+    comesDown: [0, 0],
   };
 }
 
@@ -259,7 +266,11 @@ function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): 
   for (let f = 0; f < 2; f++) {
     const inertia = state.pitchInertia[f];
     const held = setup.plantBefore[f] === "enforce";
-    const clamp = (p: number) => (held ? 0 : bearingPitch(setup, p, flatOf(state.landedAge[f])));
+    const lands = state.landedAge[f] < LANDS;
+    // It has landed in its own way and comes down from there, whether a new capture's strikes harder or lands on its toes.
+    state.comesDown[f] = lands && !setup.continues ? comesDownAt(setup, f as 0 | 1) : 0;
+    const clamp = (p: number) =>
+      held ? 0 : landedPitch(setup, p, f as 0 | 1, setup.segment.from - rate, state);
     inertia.value[0] = state.lastPitch[f] - clamp(here.pitch[f]);
     inertia.speed[0] = (state.lastPitchSpeed[f] - (clamp(here.pitch[f]) - clamp(earlier.pitch[f]))) / DT;
     // A speed that would carry the foot far past its place is not handed on.
@@ -268,6 +279,12 @@ function beginSegment(track: BodyTrack, setup: SegmentSetup, state: BodyState): 
     // A foot a little off flat settles at once.
     const size = Math.min(1, Math.abs(inertia.value[0]) / SETTLING);
     inertia.length = QUICK_PITCH + size * (PITCH_TIME - QUICK_PITCH);
+    if (lands) {
+      // The ground stops its slap: handed on in full, the heel would bounce. From 2.5 on the quintic swings past its end.
+      const most = (2.5 * Math.abs(inertia.value[0])) / inertia.length;
+      if (inertia.value[0] >= 0) inertia.speed[0] = Math.max(-most, inertia.speed[0]);
+      else inertia.speed[0] = Math.min(most, inertia.speed[0]);
+    }
     if (setup.plantBefore[f] !== "never") continue;
     // A foot that nothing holds goes on from where it was, in another capture.
     takeGap(track, frame, setup, f as 0 | 1, setup.segment.from, state);
@@ -317,7 +334,7 @@ function writeFeet(
     const landed = step !== null && source >= step.end;
     const pi = state.pitchInertia[f];
     const plant = moving ? undefined : landed ? setup.plantAfter[f] : setup.plantBefore[f];
-    const raw = plant === "enforce" ? 0 : bearingPitch(setup, here.pitch[f], flatOf(state.landedAge[f]));
+    const raw = plant === "enforce" ? 0 : landedPitch(setup, here.pitch[f], f, source, state);
     if (state.settled[f] && !moving) {
       state.settled[f] = false;
       pi.value[0] = -raw;
@@ -411,6 +428,32 @@ function restingPitch(pitch: number, flat = FLAT): number {
 function bearingPitch(setup: SegmentSetup, pitch: number, flat = FLAT): number {
   const p = restingPitch(pitch, flat);
   return setup.step ? p : Math.min(0, p);
+}
+
+/** The same; flat where the capture's foot still comes down and ours has landed in its own way. */
+const landedPitch = (
+  setup: SegmentSetup,
+  pitch: number,
+  f: 0 | 1,
+  source: number,
+  state: BodyState,
+): number => (source < state.comesDown[f] ? 0 : bearingPitch(setup, pitch, flatOf(state.landedAge[f])));
+
+/**
+ * Source frame at which a capture's foot that strikes with its heel, or lands on its toes, as the segment begins lies flat; 0 where
+ * it does not come down: it lies already, or its heel is on its way up.
+ */
+function comesDownAt(setup: SegmentSetup, f: 0 | 1): number {
+  const { from } = setup.segment;
+  let before = Number.POSITIVE_INFINITY;
+  for (let k = 0; k <= COMES_DOWN; k++) {
+    mapBody(next, setup, from + k);
+    const size = Math.abs(bearingPitch(setup, next.pitch[f], LANDING_FLAT));
+    if (size === 0) return k === 0 ? 0 : from + k;
+    if (size > before) return 0;
+    before = size;
+  }
+  return 0;
 }
 
 const smooth = (u: number): number => u * u * u * (u * (6 * u - 15) + 10);

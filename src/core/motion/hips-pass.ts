@@ -7,7 +7,7 @@ import { J, JOINT_COUNT } from "../skeleton/joints.ts";
 import type { Skeleton } from "../skeleton/skeleton.ts";
 import type { KeptBalance } from "./balance-pass.ts";
 import type { BodyTrack } from "./body-pass.ts";
-import { FOOT_STRIDE } from "./foot-pose.ts";
+import { FOOT_STRIDE, pitchOf } from "./foot-pose.ts";
 import type { SegmentSetup } from "./segment-setup.ts";
 import { mapByTask, shows, type TaskWindow, windowWeight } from "./task-windows.ts";
 
@@ -20,6 +20,11 @@ const LEAST_KNEE = (8 * Math.PI) / 180;
 /** Of the capture's own flexion this much stays where the plan's footsteps are farther: planted leg, swinging leg. */
 const STANCE_SHARE = 0.35;
 const SWING_SHARE = 0.7;
+/**
+ * A raised heel goes with a bent knee: its flexion beside the heel's rise. A straight leg over a raised heel, as where a step is far
+ * longer than its capture's, snaps as the foot lifts.
+ */
+const PUSH_SHARE = 0.35;
 /** Softness of the limits, metres: hips' height, swinging foot. */
 const EASE = 0.006;
 const PULL = 0.008;
@@ -153,7 +158,8 @@ export function reachWithLegs(track: BodyTrack, skeleton: Skeleton, kept: KeptBa
     for (let side = 0; side < 2; side++) {
       const knee = side === 0 ? J.leftLowerLeg : J.rightLowerLeg;
       footToHip(track, f, side, offsets);
-      const flexion = Math.max(LEAST_KNEE, STANCE_SHARE * flexionOf(track, f, knee));
+      const rise = Math.max(0, -pitchOf(track.feet, (2 * f + side) * FOOT_STRIDE + 3));
+      const flexion = Math.max(LEAST_KNEE, STANCE_SHARE * flexionOf(track, f, knee), PUSH_SHARE * rise);
       const longest = legLength(thigh, shank, flexion);
       const across = v[3] * v[3] + v[5] * v[5];
       const over = v[4] - Math.sqrt(Math.max(0.04, longest * longest - across));
