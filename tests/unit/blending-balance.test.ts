@@ -7,7 +7,7 @@ import { ownCycle, withOwnCycles } from "../../src/core/blending/own-cycles.ts";
 import { planStones } from "../../src/core/blending/plan-stones.ts";
 import type { CyclicSource } from "../../src/core/blending/types.ts";
 import { wholeChunk } from "../../src/core/motion/chunk.ts";
-import { measureMotion } from "../../src/core/quality/measure.ts";
+import { measureMotion, motionPoints } from "../../src/core/quality/measure.ts";
 import { pillarScene, riverScene } from "../../src/core/scene/stone-examples.ts";
 import type { Scene } from "../../src/core/scene/types.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
@@ -15,6 +15,8 @@ import { cyclicSources } from "../../src/studio/blend-library.ts";
 import { courseScene, stairsScene } from "../support/stone-scenes.ts";
 
 const skeleton = createSkeleton(1.75);
+/** About a stone's middle it is stone in any case, metres. */
+const STONE = 0.12;
 let sources: CyclicSource[];
 let library: BlendLibrary;
 beforeAll(() => {
@@ -43,6 +45,21 @@ describe("the body over its feet", () => {
     expect(q.penetration).toBeLessThan(3);
     expect(q.float).toBeLessThan(5);
     expect(q.footstepError?.position).toBeLessThan(1);
+  });
+
+  it.each(scenes)("%s: feet come over the edges of stones and steps, not through them", (_, make) => {
+    const scene = make();
+    const { clip, contacts } = planStones(scene, library);
+    const { soles } = motionPoints(skeleton, [wholeChunk(clip, contacts)], clip.frames);
+    for (let f = 0; f < clip.frames; f++)
+      for (let o = 18 * f; o < 18 * (f + 1); o += 3)
+        for (const { id, position } of scene.stones) {
+          const [x, y, z] = position;
+          if (Math.hypot(soles[o] - x, soles[o + 2] - z) > STONE) continue;
+          // What is far below it is under another stone's step.
+          const deep = y - soles[o + 1];
+          if (deep < 0.5) expect(deep, `frame ${f}, ${id}`).toBeLessThan(0.01);
+        }
   });
 
   it("a plan that changes in mid-step, every frame for a while, does not jerk the hips", () => {

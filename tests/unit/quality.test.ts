@@ -242,6 +242,18 @@ describe("motion quality", () => {
     });
   });
 
+  it("who climbs goes as fast as along the stair; rise and fall of steps is no climb", () => {
+    const n = 600;
+    const root = new Float64Array(3 * n);
+    for (let f = 0; f < n; f++) {
+      root[3 * f + 1] = 0.9 + (0.3 * f) / 60 + 0.02 * Math.sin((2 * Math.PI * 2 * f) / 60);
+      root[3 * f + 2] = (0.4 * f) / 60;
+    }
+    const { speeds, alongWay } = paceOf(root, new Float64Array(n), n, 60);
+    expect(speeds[300]).toBeCloseTo(0.4, 3);
+    expect(alongWay[300]).toBeCloseTo(0.5, 2);
+  });
+
   it("jerk of a walk like the reference's is 1; steady frames leave out starts and stops", () => {
     const n = 600;
     const joints = new Float64Array(3 * JOINT_COUNT * n);
@@ -256,10 +268,14 @@ describe("motion quality", () => {
     const speed = Math.exp(0.0651 / 1.3089);
     expect(jerkRatio(joints, n, 60, 0.84, "walk", speed)).toBeCloseTo(1, 1);
     const speeds = Float64Array.from({ length: n }, (_, f) => (f > 100 && f < 500 ? 1 : 0));
-    const going = steadyFrames({ kind: "walk", first: 0, last: speeds.length - 1, speed: 1, speeds }, 60);
+    const pace = { kind: "walk" as const, first: 0, last: n - 1, speed: 1, speeds, alongWay: speeds };
+    const going = steadyFrames(pace, 60);
     expect(going[110]).toBe(0);
     expect(going[300]).toBe(1);
     expect(going[490]).toBe(0);
+    // Less than a stride of it is not steady.
+    const brief = speeds.map((v, f) => (f < 200 ? v : 0));
+    expect(steadyFrames({ ...pace, speeds: brief }, 60).some((on) => on === 1)).toBe(false);
     expect(REAL_ACCELERATION.walk.joints).toHaveLength(JOINT_COUNT);
   });
 });

@@ -34,6 +34,15 @@ import { sampleStance, sampleSwing } from "./sample.ts";
 const PITCH_RATE = 9;
 /** Least clearance in the middle of a swing, metres. */
 const CLEAR = 0.008;
+/**
+ * Share of a swing by which a foot that goes up has the height of its footstep, and from which one that goes down leaves that of its last;
+ * and by when the ground under it counts as the higher one's: its toes are over the edge before its ankle is.
+ */
+const UP_BY = 0.75;
+const OVER_BY = 0.55;
+/** Softness with which a foot that climbs keeps over an edge, metres, for every metre that it climbs, at most. */
+const SOFT = 0.3;
+const MOST_SOFT = 0.03;
 
 const planted = new Float64Array(3);
 const spot = new Float64Array(3);
@@ -140,15 +149,17 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
   const n = Math.sin(yaw);
   const rise = spot[1] - s[f + LEAVE + 1];
   // Up early, down late: over the edge of a step or a stone.
-  const v = rise > 0 ? Math.min(1, u / 0.75) : Math.max(0, (u - 0.25) / 0.75);
+  const v = climbed(rise, u, UP_BY);
   const over = 4 * u * u * (1 - u) * (1 - u) * Math.abs(rise);
   const bend = swing[4] + toeOff;
-  const ground = s[f + PLACE + 1] + share * (s[f + TARGET + 1] - s[f + PLACE + 1]);
+  const climb = s[f + TARGET + 1] - s[f + PLACE + 1];
+  const ground = s[f + PLACE + 1] + easedShare(climbed(climb, u, OVER_BY)) * climb;
   const up = s[f + LEAVE + 1] + easedShare(v) * rise + over + swing[1];
   // Blends and other feet's pitches must not push heel or toes through the ground.
   const low = ground + CLEAR * 4 * u * (1 - u) - up - lowest(shape, pitch, bend);
   s[f + ANKLE] = s[f + LEAVE] + share * (spot[0] - s[f + LEAVE]) + c * swing[0] + n * swing[2];
-  s[f + ANKLE + 1] = up + Math.max(0, low);
+  const soft = 4 * u * (1 - u) * Math.min(MOST_SOFT, SOFT * Math.abs(climb));
+  s[f + ANKLE + 1] = up + 0.5 * (low + Math.sqrt(low * low + soft * soft));
   s[f + ANKLE + 2] = s[f + LEAVE + 2] + share * (spot[2] - s[f + LEAVE + 2]) - n * swing[0] + c * swing[2];
   s[f + PITCH] = pitch;
   const turn = wrapAngle(s[f + TARGET + 3] - s[f + PLACE + 3]);
@@ -162,6 +173,10 @@ export function footAt(b: Batch, i: number, side: number, t: number, dt: number)
   );
   s[f + ANKLE + 7] = bend;
 }
+
+/** Share of a climb that is made at share u of a swing: up by share `by`, down from the same before the end. */
+const climbed = (rise: number, u: number, by: number): number =>
+  rise > 0 ? Math.min(1, u / by) : Math.max(0, (u - 1 + by) / by);
 
 /** Ankles bend up no farther than about this over a planted foot; beyond, the heel rises. Softness; radians. */
 const MOST_BEND = 0.66;

@@ -67,7 +67,7 @@ export function shownBody(out: Float64Array, b: Batch, i: number, t: number): vo
   const length = s[o + BLEND_TIME];
   if (length > 0) {
     const time = Math.max(0, t - s[o + BLEND_FROM]);
-    if (time < length) applyOffset(out, b, i, time / length, length);
+    applyOffset(out, b, i, time, length);
     const hips = s[o + HIPS_TIME];
     if (time < hips) applyHipsOffset(out, b, i, time, hips);
   }

@@ -1,6 +1,6 @@
 /** Rows of the library at a phase, blended by a mix. Hot path: no allocation. */
 import { J, JOINT_COUNT } from "../skeleton/joints.ts";
-import { type Batch, OFFSET, POSE } from "./batch.ts";
+import { type Batch, OFFSET } from "./batch.ts";
 import {
   BODY_ROW,
   BODY_ROWS,
@@ -172,17 +172,45 @@ export function applyHipsOffset(pose: Float64Array, b: Batch, i: number, time: n
   for (let k = 0; k < 3; k++) pose[HIPS_AT + k] += h0 * g[h + k] + h1 * g[h + 3 + k];
 }
 
-/** Lays what is left of the joints' part of the blend over a pose. @param s share of its time that is past, 0..1. */
-export function applyOffset(pose: Float64Array, b: Batch, i: number, s: number, length: number): void {
+/** Seconds over which arms go over at least: they hang free, and what is quick at the shoulder is a jerk at the hand. */
+const ARM_BLEND = 0.55;
+/** Arms are joints 6 to 13; after them come the legs. */
+const ARMS = J.leftShoulder;
+const LEGS = J.leftUpperLeg;
+
+/**
+ * Lays what is left of the joints' part of the blend over a pose.
+ *
+ * @param time seconds since it began; @param length seconds that it takes, arms ARM_BLEND at least.
+ */
+export function applyOffset(pose: Float64Array, b: Batch, i: number, time: number, length: number): void {
+  const arms = length > ARM_BLEND ? length : ARM_BLEND;
+  if (time < length) {
+    layOffset(pose, b, i, time / length, length, 0, ARMS);
+    layOffset(pose, b, i, time / length, length, LEGS, LEGS + 2);
+    layOffset(pose, b, i, time / length, length, J.rightUpperLeg, J.rightUpperLeg + 2);
+  }
+  if (time < arms) layOffset(pose, b, i, time / arms, arms, ARMS, LEGS);
+}
+
+/** Of joints `from` to before `to`. @param s share of its time that is past, 0..1. */
+function layOffset(
+  pose: Float64Array,
+  b: Batch,
+  i: number,
+  s: number,
+  length: number,
+  from: number,
+  to: number,
+): void {
   const g = b.offset;
-  const o = OFFSET * i;
   const s2 = s * s;
   const s3 = s2 * s;
   // Quintic from value and rate to rest, without acceleration at both ends.
   const h0 = 1 - s3 * (10 - 15 * s + 6 * s2);
   const h1 = length * (s - s3 * (6 - 8 * s + 3 * s2));
-  for (let q = 0, a = o; q < POSE; q += 4, a += 6) {
-    if (isFoot(q >> 2)) continue;
+  const end = 4 * to;
+  for (let q = 4 * from, a = OFFSET * i + 6 * from; q < end; q += 4, a += 6) {
     const gx = h0 * g[a] + h1 * g[a + 3];
     const gy = h0 * g[a + 1] + h1 * g[a + 4];
     const gz = h0 * g[a + 2] + h1 * g[a + 5];

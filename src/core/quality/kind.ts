@@ -10,9 +10,14 @@ export interface MotionPace {
   last: number;
   /** Mean speed of the hips over the ground from `first` to `last`, m/s. */
   speed: number;
-  /** The hips' speed in each frame, m/s, after a low-pass of 2 Hz. */
+  /** The hips' speed over the ground in each frame, m/s, after a low-pass of 2 Hz. */
   speeds: Float64Array;
+  /** The same with what they climb or descend, after one of 0.5 Hz: as fast as they go along a stair's or a slope's way. */
+  alongWay: Float64Array;
 }
+
+/** Low-pass of the climb, Hz: no step's rise and fall is left. */
+const CLIMB_CUTOFF = 0.5;
 
 /** Speed of the hips, after the low-pass, from which on somebody moves at all, m/s. */
 const MOVES = 0.1;
@@ -31,7 +36,8 @@ export function paceOf(
   rate: number,
 ): MotionPace {
   const speeds = new Float64Array(frames);
-  if (frames < rate / 2) return { kind: "all", first: 0, last: frames - 1, speed: 0, speeds };
+  if (frames < rate / 2)
+    return { kind: "all", first: 0, last: frames - 1, speed: 0, speeds, alongWay: speeds };
   const way = new Float64Array(2 * frames);
   for (let f = 0; f < frames; f++) {
     way[2 * f] = root[3 * f];
@@ -46,6 +52,13 @@ export function paceOf(
     for (let k = 0; k < 2; k++) velocity[2 * f + k] = ((way[2 * b + k] - way[2 * a + k]) * rate) / (b - a);
     speeds[f] = Math.hypot(velocity[2 * f], velocity[2 * f + 1]);
   }
+  const height = Float64Array.from({ length: frames }, (_, f) => root[3 * f + 1]);
+  lowPass(height, 0, 1, frames, rate, CLIMB_CUTOFF);
+  const alongWay = speeds.map((speed, f) => {
+    const a = Math.max(0, f - 1);
+    const b = Math.min(frames - 1, f + 1);
+    return Math.hypot(speed, ((height[b] - height[a]) * rate) / (b - a));
+  });
   let first = speeds.findIndex((v) => v > MOVES);
   let last = speeds.findLastIndex((v) => v > MOVES);
   if (first < 0 || last - first < rate / 2) [first, last] = [0, frames - 1];
@@ -72,7 +85,7 @@ export function paceOf(
     if (forward > 2) return "run";
     return forward > 0.35 ? "walk" : "all";
   })();
-  return { kind, first, last, speed, speeds };
+  return { kind, first, last, speed, speeds, alongWay };
 }
 
 /** Speed that counts as going, m/s, and what is left out after setting off and before stopping, seconds. */

@@ -198,7 +198,7 @@ export function steadyJerk(points: MotionPoints, pace: MotionPace, leg: number):
   // A few steps, or steps that each come to rest, are never steady: from the first to the last of them.
   if (count < 60)
     return jerkRatio(joints, frames, 60, leg, kind, pace.speeds, (f) => f >= pace.first && f <= pace.last);
-  return jerkRatio(joints, frames, 60, leg, kind, pace.speeds, (f) => going[f] === 1);
+  return jerkRatio(joints, frames, 60, leg, kind, pace.alongWay, (f) => going[f] === 1);
 }
 
 /** Height of the ground under left and right foot: of the footstep it stands on or, past the middle of a swing, goes to. */
