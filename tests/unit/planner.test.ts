@@ -192,6 +192,23 @@ describe("planner", () => {
     }
   });
 
+  it("who writes with a box under way holds it in the other arm: it neither swings nor leaves the belly", () => {
+    const { clip, plan, hands, quality } = run(randomScene(78));
+    const write = plan.tasks[2];
+    const [box] = hands.boxes;
+    const positions = new Float64Array(3 * JOINT_COUNT);
+    const world = new Float64Array(4 * JOINT_COUNT);
+    for (let f = Math.round(60 * write.start); f < 60 * write.end; f++) {
+      const k = 7 * (f - box.first);
+      const [x, y, z] = box.transforms.subarray(k, k + 3);
+      const [bx, by, bz] = box.transforms.subarray(k - 7, k - 4);
+      expect(60 * Math.hypot(x - bx, y - by, z - bz), `speed at ${f}`).toBeLessThan(1);
+      forwardKinematics(positions, world, skeleton, clip.root, 3 * f, clip.rotations, 4 * JOINT_COUNT * f);
+      expect(Math.hypot(x - positions[0], z - positions[2]), `from the hips at ${f}`).toBeLessThan(0.5);
+    }
+    expect(quality.poppingOwn).toBeLessThan(1.75);
+  });
+
   it("a point out of reach is planned for and named", () => {
     const scene = parseScene({
       version: 1,

@@ -315,6 +315,8 @@ function boxTargets(
     if (frame < lift.from || frame > carry.over) continue;
     tip(v, 0, limbs.positions, limbs.world, 0, skeleton);
     tip(v, 3, limbs.positions, limbs.world, 1, skeleton);
+    for (let side = 0 as 0 | 1; side < 2; side = (side + 1) as 0 | 1)
+      if (state.writing[side] > 0) besideOther(v, side, state.writing[side], limbs);
     const body = [(v[0] + v[3]) / 2, (v[1] + v[4]) / 2, (v[2] + v[5]) / 2];
     const bodyYaw = Math.atan2(-(v[2] - v[5]), v[0] - v[3]);
     const held = frame >= carry.first && frame <= carry.last;
@@ -385,6 +387,19 @@ function boxTargets(
         for (let k = 0; k < 3; k++) targets.place[own + k] += away * (wrote[k] - targets.place[own + k]);
     }
     return;
+  }
+}
+
+/** A hand that writes holds no box: by `share` it is taken to be where the other one is, on its own side of the body. Mutates both hands' tips. */
+function besideOther(tips: Float64Array, side: 0 | 1, share: number, limbs: LimbWorkspace): void {
+  const own = 3 * side;
+  const other = 3 - own;
+  quatRotate(tips, 9, limbs.world, 0, 1, 0, 0);
+  let across = 0;
+  for (let k = 0; k < 3; k++) across += (tips[other + k] - limbs.positions[k]) * tips[9 + k];
+  for (let k = 0; k < 3; k++) {
+    const mirrored = tips[other + k] - 2 * across * tips[9 + k];
+    tips[own + k] += share * (mirrored - tips[own + k]);
   }
 }
 
