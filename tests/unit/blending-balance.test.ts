@@ -10,6 +10,7 @@ import { wholeChunk } from "../../src/core/motion/chunk.ts";
 import { measureMotion, motionPoints } from "../../src/core/quality/measure.ts";
 import { pillarScene, riverScene } from "../../src/core/scene/stone-examples.ts";
 import type { Scene } from "../../src/core/scene/types.ts";
+import { J, JOINT_COUNT } from "../../src/core/skeleton/joints.ts";
 import { createSkeleton } from "../../src/core/skeleton/skeleton.ts";
 import { cyclicSources } from "../../src/studio/blend-library.ts";
 import { courseScene, stairsScene } from "../support/stone-scenes.ts";
@@ -60,6 +61,27 @@ describe("the body over its feet", () => {
           const deep = y - soles[o + 1];
           if (deep < 0.5) expect(deep, `frame ${f}, ${id}`).toBeLessThan(0.01);
         }
+  });
+
+  it("who climbs stairs pushes off a leg that comes nearly straight", () => {
+    const { clip, plan } = planStones(stairsScene(), library);
+    const least = plan.steps.flatMap((s, i) => {
+      // The other foot goes up two steps over this one, which bears meanwhile.
+      const [over, own] = [plan.steps[i + 1], plan.steps[i - 1]];
+      if (!over || !own || over.y <= s.y || own.y >= s.y) return [];
+      const knee = s.foot === "left" ? J.leftLowerLeg : J.rightLowerLeg;
+      const flexion = (f: number) =>
+        (360 / Math.PI) * Math.acos(Math.min(1, Math.abs(clip.rotations[4 * (JOINT_COUNT * f + knee) + 3])));
+      const bears = Array.from({ length: Math.round(60 * (over.land - over.lift)) }, (_, k) =>
+        flexion(Math.round(60 * over.lift) + k),
+      );
+      return [Math.min(...bears)];
+    });
+    expect(least.length).toBeGreaterThan(5);
+    for (const degrees of least) {
+      expect(degrees).toBeLessThan(30);
+      expect(degrees).toBeGreaterThan(5);
+    }
   });
 
   it("a plan that changes in mid-step, every frame for a while, does not jerk the hips", () => {

@@ -57,7 +57,11 @@ const AXES = 3;
 const CENTRE_OVER_HIPS = 1.05;
 /** The ground under the body is smoothed by the same equation with this in the place of w, 1/s. */
 const RISE = 10;
-/** Share of the difference of two feet's heights that the body is over the lower one. */
+/**
+ * Share of the difference of two feet's heights that the body is over the lower one: while it climbs, so that the leg that pushes comes
+ * nearly straight, and at all other times, when the foot ahead is the lower one and has to be reached.
+ */
+const CLIMBS = 0.12;
 const OVER_LOWER = -0.1;
 /** Seconds ahead that are looked at. */
 const HORIZON = 2;
@@ -102,8 +106,12 @@ function knot(t: number): void {
   knots++;
 }
 
-/** Height that the body goes by while both feet are down: nearer to the lower one's, so that both legs reach. */
+/** Height that the body goes by while both feet are down, at rest: nearer to the lower one's, so that both legs reach. */
 const between = (a: number, c: number): number => Math.min(a, c) + OVER_LOWER * Math.abs(a - c);
+
+/** The same as it goes from the foot behind to the one ahead. */
+const onTheWay = (behind: number, ahead: number): number =>
+  behind < ahead ? behind + CLIMBS * (ahead - behind) : between(behind, ahead);
 
 /** Where foot `side` is pressed when the other one is `along` (0..1) from leaving to landing at (x, z), into spot. */
 function pressed(b: Batch, side: number, x: number, z: number, along: number): void {
@@ -132,10 +140,10 @@ function middle(b: Batch): void {
 function stepKnots(b: Batch, side: number, from: Float64Array, at: number, lift: number, land: number): void {
   const bears = feet[4 * (1 - side) + 2];
   pressed(b, 1 - side, from[at], from[at + 2], 0);
-  spot[2] = between(feet[4 * side + 2], bears);
+  spot[2] = onTheWay(feet[4 * side + 2], bears);
   knot(lift);
   pressed(b, 1 - side, from[at], from[at + 2], 1);
-  spot[2] = between(from[at + 1], bears);
+  spot[2] = onTheWay(bears, from[at + 1]);
   knot(land);
   takeFoot(side, from, at);
 }
@@ -183,7 +191,7 @@ function layKnots(b: Batch, i: number, t: number): void {
     landed = s[o + FOOT + FOOT_STATE * last + F_LAND];
     if (landed > t - 2) {
       pressed(b, 1 - last, feet[4 * last], feet[4 * last + 1], 1);
-      spot[2] = between(feet[2], feet[6]);
+      spot[2] = onTheWay(feet[4 * (1 - last) + 2], feet[4 * last + 2]);
       knot(landed);
       fromX = 2 * feet[4 * (1 - last)] - feet[4 * last];
       fromZ = 2 * feet[4 * (1 - last) + 1] - feet[4 * last + 1];
