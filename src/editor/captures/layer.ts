@@ -11,6 +11,8 @@ import type { CaptureSession } from "./session.ts";
 const Q = 4 * JOINT_COUNT;
 /** Places of a stretch that are looked at to frame it. */
 const LOOKS = 8;
+/** A way longer than this has the floor without walls, seen from farther off, metres. */
+const ROOM = 6;
 
 export function captureLayer(e: Editor, session: CaptureSession): ViewportLayer & { draw(): void } {
   const object = new Group();
@@ -32,6 +34,11 @@ export function captureLayer(e: Editor, session: CaptureSession): ViewportLayer 
     const picture = c && object.visible ? `${c.key} ${session.stretch.first}` : "";
     if (picture !== framed) {
       framed = picture;
+      const way = frames();
+      if (way) {
+        const [from, to] = [way[0], way[way.length - 1]];
+        e.stage.setOpen(Math.hypot(to[0] - from[0], to[2] - from[2]) > ROOM);
+      }
       e.frameScene();
       // The character goes back to where the scene has it.
       if (picture === "") e.playback.show();

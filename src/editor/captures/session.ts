@@ -40,7 +40,6 @@ export class CaptureSession {
   private keepTimer = 0;
   /** The cycle that is told of when it is taken in. */
   private told: string | null = null;
-  private confirmedCount = 0;
   private readonly listeners = new Set<() => void>();
   readonly clock = new DeskClock({
     span: () => (this.deskOpen && this.current ? { ...this.stretch, rate: this.current.clip.rate } : null),
@@ -348,7 +347,6 @@ export class CaptureSession {
     const c = this.current;
     if (!c) return;
     c.edits.confirm(this.stretch.first, this.stretch.last);
-    this.confirmedCount++;
     this.edited();
     await this.train();
     this.next();
@@ -389,8 +387,10 @@ export class CaptureSession {
     const m = await this.ask(() => this.client.ask({ type: "train", lessons }, "trained"));
     if (!m) return;
     this.examples = m.examples;
-    this.sureness.push({ segments: this.confirmedCount, sure: m.sure });
     this.segments = m.segments.map((s) => ({ ...s, key: m.keys[s.motion] }));
+    // What was undone is forgotten here too.
+    const segments = this.segments.length - this.openSegments().length;
+    this.sureness = [...this.sureness.filter((p) => p.segments < segments), { segments, sure: m.sure }];
     for (const t of m.thoughts) {
       const c = this.captures.find((x) => x.key === t.key);
       if (!c?.edits.fill(t.labels, learned.get(t.key))) continue;
