@@ -29,11 +29,12 @@ const labelTool: Tool = {
   enter(e) {
     const s = sessionOf(e);
     e.playback.setPlaying(false);
+    // The room as it is, until a capture asks for more; selecting lets it.
+    e.stage.setOpen(false);
     e.scene.select([]);
     document.documentElement.dataset.desk = "";
     // The room is the capture's: nothing of the scene is in it.
     e.layers.only("capture");
-    e.stage.setOpen(false);
     e.stage.setFigureShown(true);
     e.stage.showFloor(true);
     e.stage.setScene(parseScene({ version: 1 }), []);
