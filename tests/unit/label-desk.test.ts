@@ -340,6 +340,7 @@ describe("the worker of captures", () => {
       rotations: clip.rotations,
     };
     const seen = { frames: 0, poses: 0, shows: 0 };
+    let open = false;
     const session = {
       current: { key: "c", clip: data, edits, cleaned: null },
       stretch: { first: 0, last: 200 },
@@ -351,7 +352,13 @@ describe("the worker of captures", () => {
         store: {
           getState: () => ({ scene: { character: { height: 1.75, proportions: DEFAULT_PROPORTIONS } } }),
         },
-        stage: { setPose: () => seen.poses++, invalidate: () => undefined },
+        stage: {
+          setPose: () => seen.poses++,
+          invalidate: () => undefined,
+          setOpen: (now: boolean) => {
+            open = now;
+          },
+        },
         frameScene: () => seen.frames++,
         playback: { show: () => seen.shows++ },
       } as unknown as Editor,
@@ -365,9 +372,21 @@ describe("the worker of captures", () => {
     const way = Math.hypot(clip.root[3 * 199] - clip.root[0], clip.root[3 * 199 + 2] - clip.root[2]);
     const [a, b] = [points[0], points[7]];
     expect(Math.hypot(b[0] - a[0], b[2] - a[2])).toBeCloseTo(way, 2);
+    // A way of some steps is in the room; one as long as a sprint's has the floor without walls.
+    expect(way).toBeLessThan(6);
+    expect(open).toBe(false);
     session.stretch = { first: 200, last: 400 };
     layer.draw();
     expect(seen).toEqual({ frames: 2, poses: 3, shows: 0 });
+    const far = data.root.map((x, k) => x + (k % 3 === 2 ? k / 30 : 0));
+    session.current = { ...session.current, key: "far", clip: { ...data, root: far } };
+    layer.draw();
+    expect(open).toBe(true);
+    session.current = { ...session.current, key: "c", clip: data };
+    layer.draw();
+    expect(open).toBe(false);
+    seen.frames = 2;
+    seen.poses = 3;
     session.deskOpen = false;
     layer.draw();
     layer.draw();
