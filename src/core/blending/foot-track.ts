@@ -34,13 +34,11 @@ import { sampleStance, sampleSwing } from "./sample.ts";
 const PITCH_RATE = 9;
 /** Least clearance in the middle of a swing, metres. */
 const CLEAR = 0.008;
-/**
- * Share of a swing by which a foot that goes up has the height of its footstep, and from which one that goes down leaves that of its last;
- * and by when the ground under it counts as the higher one's: its toes are over the edge before its ankle is.
- */
+/** Share of a swing in which a foot that goes up comes to the height of its footstep; one that goes down takes as much of the swing's end. */
 const UP_BY = 0.75;
+/** Likewise of the ground that it has to clear: toes are over the edge of a step before the ankle is. */
 const OVER_BY = 0.55;
-/** Softness with which a foot that climbs keeps over an edge, metres, for every metre that it climbs, at most. */
+/** How softly a climbing foot is lifted over that ground: metres for each metre of the climb, and metres at most. */
 const SOFT = 0.3;
 const MOST_SOFT = 0.03;
 

@@ -260,6 +260,7 @@ function alive(b: BodyAngles, score: Score, gait: Gait, frames: number): void {
   const start = random.between(0, 2 * Math.PI);
   for (let f = 0; f < frames; f++)
     b.chestPitch[f] -= 0.35 * DEG * Math.sin(start + (2 * Math.PI * 0.25 * f) / CLIP_RATE);
+  // The ring after a strike: what hangs free, arms and head, rings most; hips and trunk so little that the knees' curves stay.
   for (const { kind, land: time } of score.steps) {
     const side = kind === "side" || kind === "close";
     if (!side && kind !== "walk" && kind !== "turnStep" && kind !== "run") continue;
